@@ -1,0 +1,26 @@
+#pragma once
+
+#include "common/simulation/system.hpp"
+
+namespace clapotis {
+
+/// Energies per unit depth. In scenes without pixels: joule per metre; in pixels kg px^2/s^2.
+struct Energy {
+  double kinetic = 0;     ///< sum m v^2/2
+  double potential = 0;   ///< of the weight
+  double elastic = 0;     ///< of the springs
+  double dissipated = 0;  ///< lost to laws and walls so far, advanced by the same scheme as the state
+
+  /// What falls in a dissipative system.
+  [[nodiscard]] double mechanical() const { return kinetic + potential + elastic; }
+  /// What stays: its drift is the error of the scheme.
+  [[nodiscard]] double total() const { return mechanical() + dissipated; }
+};
+
+Energy energy(System& system);
+
+Vector momentum(const Particles& particles);        ///< sum m v
+Vector centre_of_mass(const Particles& particles);  ///< sum m r / sum m
+double max_speed(const Particles& particles);       ///< NaN if any speed is
+
+}  // namespace clapotis

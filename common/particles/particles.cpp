@@ -1,0 +1,31 @@
+#include "common/particles/particles.hpp"
+
+#include <stdexcept>
+
+namespace clapotis {
+
+Particles::Particles(Index count, double mass)
+    : position(Vectors::Zero(count, 2)),
+      velocity(Vectors::Zero(count, 2)),
+      acceleration(Vectors::Zero(count, 2)),
+      uniform_mass(mass) {}
+
+Column& Particles::add_column(std::string name, std::string unit) {
+  if (column(name) != nullptr) throw std::logic_error("the column " + name + " exists already");
+  if (name == "mass") masses = extra.size();
+  extra.push_back({std::move(name), std::move(unit), Column::Zero(size())});
+  return extra.back().values;
+}
+
+const Column* Particles::column(std::string_view name) const {
+  for (const auto& c : extra)
+    if (c.name == name) return &c.values;
+  return nullptr;
+}
+
+std::size_t Particles::bytes() const {
+  const auto per_particle = 3 * 2 + extra.size();
+  return static_cast<std::size_t>(size()) * per_particle * sizeof(double);
+}
+
+}  // namespace clapotis

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/laws/walls.hpp"
+#include "common/particles/particles.hpp"
+
+namespace clapotis {
+
+struct System;
+class Parameters;
+
+/// The largest time step that something in the scene allows, and the share of it that `dt = auto` takes.
+struct StepLimit {
+  std::string name;     ///< for example "acoustic", "contact"
+  std::string formula;  ///< for example "h/c"
+  double limit;         ///< [s]
+  double share;         ///< dt = auto is the smallest share x limit
+};
+
+/// Energies per unit depth at one instant.
+struct StoredEnergy {
+  double potential = 0;  ///< weight
+  double elastic = 0;    ///< springs
+};
+
+/// What the last evaluations cost, in seconds of one phase each.
+struct PhaseSeconds {
+  double neighbours = 0, forces = 0;
+};
+
+/// The particles that touch or nearly touch one particle, for the eye.
+struct Neighbourhood {
+  double support = 0;              ///< beyond this distance nothing acts [L]
+  double cell = 0;                 ///< side of the cells; 0 without a grid [L]
+  Vector origin{0, 0};             ///< lower left corner of the grid
+  std::vector<Index> candidates;   ///< tested
+  std::vector<Index> neighbours;   ///< within the support
+};
+
+struct PairCount {
+  long long candidates = 0;  ///< ordered pairs tested
+  long long neighbours = 0;  ///< ordered pairs within the support
+};
+
+/// All laws of a scene behind one border: integrators, runner and window know nothing else of them.
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  /// Sum of all laws at time t: fills acceleration and dissipation.
+  virtual void evaluate(System& system, double t) = 0;
+  /// After each step: walls. The only place where a state is changed other than by the integrator.
+  virtual void settle(System& system, double dt) = 0;
+  /// Reads the parameters again, after one of them changed.
+  virtual void refresh(Parameters& parameters) = 0;
+
+  [[nodiscard]] virtual StoredEnergy stored_energy(const Particles& particles) = 0;
+  [[nodiscard]] virtual std::vector<StepLimit> limits(const Particles& particles) const = 0;
+  [[nodiscard]] virtual std::vector<std::string> laws() const = 0;
+  /// The walls, for the picture and for impacts located inside a step.
+  [[nodiscard]] virtual std::optional<Walls> walls() const = 0;
+
+  /// Seconds of one evaluation of each law alone on the state as it stands: the median of `repetitions`.
+  [[nodiscard]] virtual std::vector<double> law_seconds(const System& system, int repetitions) = 0;
+  /// Who was tested for particle i, and who is near it; empty where no law acts between pairs.
+  [[nodiscard]] virtual std::optional<Neighbourhood> neighbourhood(const Particles& particles, Index i) = 0;
+  [[nodiscard]] virtual PairCount count_pairs(const Particles& particles) = 0;
+
+  /// Memory besides the particles' columns [byte].
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+  [[nodiscard]] virtual bool has_pairs() const = 0;
+
+  /// Seconds spent by phase while `timed` was set.
+  PhaseSeconds seconds;
+  bool timed = false;
+  int threads = 1;
+  long long coincident = 0;  ///< pairs met at one point so far
+  long long folded = 0;      ///< reflections beyond one box in one step so far
+};
+
+}  // namespace clapotis

@@ -1,0 +1,188 @@
+#include "common/simulation/parameters.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "common/simulation/errors.hpp"
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+std::string replace_length(std::string unit, std::string_view length_unit) {
+  for (auto at = unit.find('L'); at != std::string::npos; at = unit.find('L', at + length_unit.size()))
+    unit.replace(at, 1, length_unit);
+  return unit;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& names) {
+  const auto near = nearest(word, names);
+  return near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::string_view name_of(Origin origin) {
+  constexpr std::string_view names[] = {"default", "scene", "file", "environment", "flag", "window"};
+  return names[static_cast<std::size_t>(origin)];
+}
+
+bool Range::contains(double value) const {
+  return std::isfinite(value) && (low_excluded ? value > low : value >= low) && value <= high;
+}
+
+std::string Range::text() const {
+  const bool below = low > -std::numeric_limits<double>::max(), above = high < std::numeric_limits<double>::max();
+  const auto fill = [&](std::string_view sentence) {
+    return say(sentence, fmt::arg("low", to_text(low)), fmt::arg("high", to_text(high)));
+  };
+  if (!below && !above) return std::string(words().any_finite);
+  if (!above) return fill(low_excluded ? words().range_above : words().range_at_least);
+  if (!below) return fill(words().range_at_most);
+  return fill(words().range_between);
+}
+
+std::string to_text(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+double parse_number(std::string_view what, std::string_view text) {
+  const auto refuse = [&](std::string_view sentence) {
+    throw BadInput(say(sentence, fmt::arg("name", what), fmt::arg("value", text)));
+  };
+  double value = 0;
+  const auto digits = text.starts_with('+') ? text.substr(1) : text;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (text.find(',') != std::string_view::npos) refuse(words().comma_for_dot);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+    refuse(words().not_a_number);
+  return value;
+}
+
+std::string Parameter::text() const {
+  if (!choices.empty()) return choices[static_cast<std::size_t>(value)];
+  return automatic && std::isnan(value) ? "auto" : to_text(value);
+}
+
+std::string Parameter::allowed() const {
+  if (!choices.empty()) return joined(choices);
+  const auto unit_text = unit.empty() ? "" : " " + unit;
+  return range.text() + unit_text + (automatic ? std::string(words().or_auto) : "");
+}
+
+double Parameter::parse(std::string_view text) const {
+  if (!choices.empty()) {
+    const auto found = std::find(choices.begin(), choices.end(), text);
+    if (found != choices.end()) return static_cast<double>(found - choices.begin());
+    throw BadInput(say(words().not_a_choice, fmt::arg("name", name), fmt::arg("value", text),
+                       fmt::arg("allowed", allowed())) +
+                   suggestion(text, choices));
+  }
+  if (automatic && text == "auto") return std::numeric_limits<double>::quiet_NaN();
+  const double number = parse_number(name, text);
+  const auto refuse = [&](std::string_view sentence) {
+    throw BadInput(say(sentence, fmt::arg("name", name), fmt::arg("value", text),
+                       fmt::arg("unit", unit.empty() ? "" : " " + unit), fmt::arg("allowed", allowed())));
+  };
+  if (!range.contains(number)) refuse(words().value_out_of_range);
+  if (integer && number != std::floor(number)) refuse(words().not_an_integer);
+  return number;
+}
+
+Parameters::Parameters(std::string length_unit, Defaults defaults, Overrides overrides)
+    : length_unit_(std::move(length_unit)), defaults_(std::move(defaults)), overrides_(std::move(overrides)) {}
+
+Parameter* Parameters::entry(std::string_view name) {
+  const auto found = std::find_if(table_.begin(), table_.end(), [&](const auto& p) { return p.name == name; });
+  return found == table_.end() ? nullptr : &*found;
+}
+
+const Parameter* Parameters::find(std::string_view name) const { return const_cast<Parameters*>(this)->entry(name); }
+
+Parameter& Parameters::note(Parameter p) {
+  if (auto* known = entry(p.name)) return *known;
+  p.unit = replace_length(p.unit, length_unit_);
+  if (const auto preset = defaults_.find(p.name); preset != defaults_.end()) {
+    p.value = p.parse(preset->second);
+    p.origin = Origin::scene;
+  }
+  if (const auto given = overrides_.find(p.name); given != overrides_.end()) {
+    if (p.derived) throw BadInput(say(words().derived_parameter, fmt::arg("name", p.name)));
+    p.value = p.parse(given->second.text);
+    p.origin = given->second.origin;
+  }
+  table_.push_back(std::move(p));
+  return table_.back();
+}
+
+double Parameters::number(const Parameter& p) { return note(p).value; }
+
+long Parameters::integer(Parameter p) {
+  p.integer = true;
+  return static_cast<long>(note(std::move(p)).value);
+}
+
+std::string Parameters::choice(Parameter p) { return note(std::move(p)).text(); }
+
+void Parameters::derive(Parameter p, double value) {
+  p.derived = true;
+  note(std::move(p)).value = value;
+}
+
+void Parameters::set(std::string_view name, std::string_view text, Origin origin) {
+  auto* known = entry(name);
+  if (known == nullptr) refuse_unknown(name);
+  if (known->derived) throw BadInput(say(words().derived_parameter, fmt::arg("name", name)));
+  known->value = known->parse(text);
+  known->origin = origin;
+  overrides_.insert_or_assign(std::string(name), Override{std::string(text), origin});
+}
+
+void Parameters::reject_unknown() const {
+  for (const auto& [name, given] : overrides_)
+    if (find(name) == nullptr) refuse_unknown(name);
+}
+
+void Parameters::refuse_unknown(std::string_view name) const {
+  std::vector<std::string> names;
+  for (const auto& p : table_)
+    if (!p.derived) names.push_back(p.name);
+  throw BadInput(say(words().unknown_parameter, fmt::arg("name", name), fmt::arg("known", joined(names))) +
+                 suggestion(name, names));
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& names) {
+  std::string best;
+  std::size_t fewest = std::max<std::size_t>(2, word.size() / 2) + 1;
+  for (const auto& name : names) {
+    std::vector<std::size_t> row(name.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= word.size(); ++i) {
+      std::size_t diagonal = row[0];
+      row[0] = i;
+      for (std::size_t j = 1; j <= name.size(); ++j) {
+        const auto edit = diagonal + (word[i - 1] == name[j - 1] ? 0 : 1);
+        diagonal = row[j];
+        row[j] = std::min({edit, row[j] + 1, row[j - 1] + 1});
+      }
+    }
+    if (row.back() < fewest) {
+      fewest = row.back();
+      best = name;
+    }
+  }
+  return best;
+}
+
+}  // namespace clapotis

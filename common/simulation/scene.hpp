@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/integrators/integrator.hpp"
+#include "common/simulation/model.hpp"
+#include "common/simulation/parameters.hpp"
+
+namespace clapotis {
+
+/// What a scene is measured against.
+struct Reference {
+  std::string name;     ///< for example "closed form"
+  std::string measure;  ///< what the error is of, for example "|y - y_exact|"
+  std::string unit;
+  std::string source;   ///< author, year, or how it follows
+  /// Error of the state as it stands; NaN where the reference does not hold (any more).
+  std::function<double(const System&)> error;
+  /// Where the reference has the particles at time t, n x 2: drawn beside them.
+  std::function<Vectors(double t)> positions;
+};
+
+/// The part of the plane that the window and pictures show [L].
+struct View2D {
+  double left, right, bottom, top;
+};
+
+/// What a scene makes of its parameters: particles, laws, and what to compare with.
+struct Setup {
+  Particles particles;
+  std::unique_ptr<Model> model;
+  double radius = 0;  ///< h, for the picture and the acoustic limit h/c [L]
+  View2D view{};
+  std::optional<Reference> reference = {};
+  bool locate_impacts = false;  ///< find each impact inside the step, instead of clamping after it
+};
+
+/// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all call it.
+struct Scene {
+  std::string name;
+  std::string length_unit;  ///< "px" or "m"
+  Defaults defaults;        ///< where they differ from those of the laws
+  std::function<Setup(Parameters&)> build;
+};
+
+/// A stage of the course: a program of its own.
+struct Stage {
+  std::string name;   ///< for example "stage2_cloud"
+  std::string title;  ///< for example "Stage 2 - cloud"
+  std::vector<Scene> scenes;
+
+  /// The scene of that name, the first one for an empty name; throws BadInput with the nearest name.
+  [[nodiscard]] const Scene& scene(std::string_view name) const;
+};
+
+}  // namespace clapotis

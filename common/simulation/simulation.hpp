@@ -1,0 +1,88 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/integrators/integrator.hpp"
+#include "common/measures/energy.hpp"
+#include "common/simulation/scene.hpp"
+
+namespace clapotis {
+
+/// Where the time of the loop went [s].
+struct Cost {
+  double neighbours = 0, forces = 0, integration = 0, walls = 0, checks = 0;
+};
+
+/// A scene that runs: the only time loop there is. Window, headless runs, tests, studies and comparisons call `step`.
+class Simulation {
+ public:
+  /// Builds the scene. Throws BadInput when a value or a name is not allowed; nothing has run then.
+  Simulation(const Scene& scene, const Overrides& overrides = {},
+             std::string_view integrator = default_integrator, int threads = 1);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// One time step, shortened when it would pass `until`. Throws Diverged, standing on the last good state.
+  void step(double until = std::numeric_limits<double>::infinity());
+
+  /// Changes a live parameter while the scene runs; throws BadInput, and changes nothing then. A parameter that
+  /// needs a restart is changed by building a new Simulation from `parameters().overrides()`.
+  void set(std::string_view name, std::string_view value);
+  void use_integrator(std::string_view name);
+
+  /// Calls `look` with accelerations that belong to the positions and velocities as they stand, without the walls'
+  /// reaction; what follows is as if nobody had looked.
+  void look(const std::function<void(const System&)>& look);
+
+  [[nodiscard]] double time() const { return system_->time; }
+  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] double dt() const { return dt_; }                      ///< of the next step
+  [[nodiscard]] const StepLimit& binding_limit() const;                ///< that sets dt, or that dt is measured by
+  [[nodiscard]] const std::vector<StepLimit>& limits() const { return limits_; }
+  [[nodiscard]] Energy energy() { return clapotis::energy(*system_); }
+  /// Error against the reference; NaN without one.
+  [[nodiscard]] double error() const;
+  [[nodiscard]] const std::vector<std::string>& warnings();
+  [[nodiscard]] const Cost& cost() const { return cost_; }
+  [[nodiscard]] double sound_speed() const { return sound_speed_; }    ///< c = 10 v_max [L/s]
+
+  [[nodiscard]] System& system() { return *system_; }
+  [[nodiscard]] const System& system() const { return *system_; }
+  [[nodiscard]] const Particles& particles() const { return system_->particles; }
+  [[nodiscard]] Model& model() { return *setup_.model; }
+  [[nodiscard]] const Model& model() const { return *setup_.model; }
+  [[nodiscard]] const Setup& setup() const { return setup_; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+  [[nodiscard]] const std::string& integrator() const { return integrator_name_; }
+  [[nodiscard]] int threads() const { return setup_.model->threads; }
+  /// Memory of the columns and of the model, over the number of particles [byte].
+  [[nodiscard]] double bytes_per_particle() const;
+
+ private:
+  struct Checkpoint;
+
+  void choose_step();
+  void advance(double dt);
+  void check(double dt);
+  void keep();
+  void go_back(const std::string& sentence, Index particle);
+
+  Scene scene_;
+  Parameters parameters_;
+  Setup setup_;
+  std::unique_ptr<System> system_;
+  std::string integrator_name_;
+  std::unique_ptr<Integrator> integrator_;
+  std::vector<StepLimit> limits_;
+  double dt_ = 0, sound_speed_ = 0;
+  long steps_ = 0;
+  std::unique_ptr<Checkpoint> checkpoint_;
+  Cost cost_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace clapotis
