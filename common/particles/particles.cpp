@@ -23,6 +23,10 @@ const Column* Particles::column(std::string_view name) const {
   return nullptr;
 }
 
+double Particles::least_mass() const {
+  return masses == none || size() == 0 ? uniform_mass : extra[masses].values.minCoeff();
+}
+
 std::size_t Particles::bytes() const {
   const auto per_particle = 3 * 2 + extra.size();
   return static_cast<std::size_t>(size()) * per_particle * sizeof(double);

@@ -38,6 +38,9 @@ struct Particles {
   [[nodiscard]] Index size() const { return position.rows(); }
   [[nodiscard]] double mass(Index i) const { return masses != none ? extra[masses].values(i) : uniform_mass; }
 
+  /// The smallest mass: what bounds the time step.
+  [[nodiscard]] double least_mass() const;
+
   /// Adds a column of zeros; its name must be new.
   Column& add_column(std::string name, std::string unit);
   /// The column of that name, or null.

@@ -162,6 +162,12 @@ void Parameters::refuse_unknown(std::string_view name) const {
                  suggestion(name, names));
 }
 
+std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
+  return say(words().unknown_name, fmt::arg("kind", kind), fmt::arg("name", name),
+             fmt::arg("known", joined(known))) +
+         suggestion(name, known);
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& names) {
   std::string best;
   std::size_t fewest = std::max<std::size_t>(2, word.size() / 2) + 1;

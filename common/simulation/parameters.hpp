@@ -82,6 +82,8 @@ class Parameters {
 
   [[nodiscard]] const std::deque<Parameter>& all() const { return table_; }
   [[nodiscard]] const Parameter* find(std::string_view name) const;
+  /// The value of a parameter that has been read before.
+  [[nodiscard]] double value(std::string_view name) const { return find(name)->value; }
   [[nodiscard]] const std::string& length_unit() const { return length_unit_; }
   /// What the user asked for, changes in the window included: what a reset starts from.
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }
@@ -99,6 +101,9 @@ class Parameters {
 
 /// The name in `names` that is the fewest edits away from `word`; empty when none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
+
+/// "there is no KIND NAME; there is: ...", with the nearest of the known names.
+std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known);
 
 /// The shortest text that reads back as the same number; always with a dot.
 std::string to_text(double value);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,9 +12,11 @@
 
 namespace clapotis {
 
+class LocatedImpacts;
+
 /// Where the time of the loop went [s].
 struct Cost {
-  double neighbours = 0, forces = 0, integration = 0, walls = 0, checks = 0;
+  double neighbours = 0, forces = 0, integration = 0, walls = 0;
 };
 
 /// A scene that runs: the only time loop there is. Window, headless runs, tests, studies and comparisons call `step`.
@@ -45,7 +49,7 @@ class Simulation {
   [[nodiscard]] Energy energy() { return clapotis::energy(*system_); }
   /// Error against the reference; NaN without one.
   [[nodiscard]] double error() const;
-  [[nodiscard]] const std::vector<std::string>& warnings();
+  [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] const Cost& cost() const { return cost_; }
   [[nodiscard]] double sound_speed() const { return sound_speed_; }    ///< c = 10 v_max [L/s]
 
@@ -69,7 +73,7 @@ class Simulation {
   void advance(double dt);
   void check(double dt);
   void keep();
-  void go_back(const std::string& sentence, Index particle);
+  void go_back(long steps);
 
   Scene scene_;
   Parameters parameters_;
@@ -77,8 +81,10 @@ class Simulation {
   std::unique_ptr<System> system_;
   std::string integrator_name_;
   std::unique_ptr<Integrator> integrator_;
+  LocatedImpacts* impacts_ = nullptr;  ///< the integrator, where it locates impacts
   std::vector<StepLimit> limits_;
   double dt_ = 0, sound_speed_ = 0;
+  double fastest_ = 0;  ///< a particle beyond this speed has gained energy from nowhere [L/s]
   long steps_ = 0;
   std::unique_ptr<Checkpoint> checkpoint_;
   Cost cost_;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "common/integrators/integrator.hpp"
+
+namespace clapotis {
+
+/// Explicit Euler as the handout prints it (section III): the new velocity from the acceleration, the new position
+/// from the OLD velocity. Order 1. Multiplies the energy of an oscillator by 1 + w^2 dt^2 each step: unstable with
+/// springs at any dt.
+class ExplicitEuler final : public Integrator {
+ public:
+  void step(System& s, double dt) override {
+    s.position += dt * s.velocity;
+    s.velocity += dt * s.acceleration;
+    s.dissipated_energy += dt * s.dissipation;
+  }
+};
+
+}  // namespace clapotis

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "common/integrators/integrator.hpp"
+
+namespace clapotis {
+
+/// Symplectic (semi-implicit) Euler: the new position from the NEW velocity. Order 1; an oscillator keeps its energy
+/// on average for w dt < 2. One line away from the printed one, for the same price.
+class SymplecticEuler final : public Integrator {
+ public:
+  void step(System& s, double dt) override {
+    s.velocity += dt * s.acceleration;
+    s.position += dt * s.velocity;
+    s.dissipated_energy += dt * s.dissipation;
+  }
+};
+
+}  // namespace clapotis

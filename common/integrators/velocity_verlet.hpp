@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/integrators/integrator.hpp"
+
+namespace clapotis {
+
+/// Velocity Verlet (Verlet 1967, Swope et al. 1982): kick, drift, kick. Order 2, symplectic for forces of position
+/// alone, stable for w dt < 2, one evaluation per step. The velocity is predicted before the evaluation, for forces
+/// that depend on it: this keeps order 2 with drag.
+class VelocityVerlet final : public Integrator {
+ public:
+  void step(System& s, double dt) override {
+    half_ = s.velocity + dt / 2 * s.acceleration;
+    s.position += dt * half_;
+    s.velocity = half_ + dt / 2 * s.acceleration;
+    s.dissipated_energy += dt / 2 * s.dissipation;
+    s.evaluate(s.time + dt);
+    s.velocity = half_ + dt / 2 * s.acceleration;
+    s.dissipated_energy += dt / 2 * s.dissipation;
+  }
+  [[nodiscard]] bool leaves_acceleration() const override { return true; }
+
+ private:
+  Vectors half_;
+};
+
+}  // namespace clapotis

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "common/laws/law.hpp"
+
+namespace clapotis {
+
+/// Weight: a = -g e_y, with potential energy m g y. Handout, section III.
+struct Gravity {
+  static constexpr std::string_view name = "gravity";
+  double g;  ///< [L/s^2], >= 0
+
+  static Gravity from(Parameters& p) {
+    return {p.number({.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = not_negative})};
+  }
+  Vector body(const auto& /*p*/, Index /*i*/, double /*t*/) const { return {0, -g}; }
+  double potential(const auto& p, Index i) const { return p.mass(i) * g * p.position(i).y; }
+};
+static_assert(Law<Gravity> && ActsOnBody<Gravity> && StoresPotential<Gravity>);
+
+}  // namespace clapotis

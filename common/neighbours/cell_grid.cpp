@@ -1,0 +1,60 @@
+#include "common/neighbours/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clapotis {
+
+void CellGrid::lay_out(const Vectors& position, double support) {
+  constexpr double huge = std::numeric_limits<double>::max();
+  Vector low{huge, huge}, high{-huge, -huge};
+  for (Index axis = 0; axis < 2; ++axis) {
+    double least = huge, most = -huge;
+    for (const double r : position.col(axis)) {
+      least = r < least ? r : least;  // a NaN changes neither
+      most = r > most ? r : most;
+    }
+    (axis == 0 ? low.x : low.y) = least;
+    (axis == 0 ? high.x : high.y) = most;
+  }
+  const double n = static_cast<double>(position.rows());
+  const double width = high.x - low.x, height = high.y - low.y;
+  const double most_cells = 4 * n + 64;
+  cell_ = support;
+  if (!std::isfinite(width) || !std::isfinite(height) || width < 0 || height < 0) {
+    origin_ = {0, 0};
+    columns_ = lines_ = 1;
+    inverse_cell_ = 0;
+    return;
+  }
+  while ((width / cell_ + 2) * (height / cell_ + 2) > most_cells) cell_ *= 2;
+  inverse_cell_ = 1 / cell_;
+  origin_ = {std::floor(low.x * inverse_cell_) * cell_, std::floor(low.y * inverse_cell_) * cell_};
+  columns_ = static_cast<Index>((high.x - origin_.x) * inverse_cell_) + 1;
+  lines_ = static_cast<Index>((high.y - origin_.y) * inverse_cell_) + 1;
+}
+
+void CellGrid::build(const Vectors& position, double support, int /*threads*/) {
+  lay_out(position, support);
+  const auto n = static_cast<std::size_t>(position.rows());
+  cell_of_.resize(n);
+  order_.resize(n);
+  starts_.assign(static_cast<std::size_t>(columns_ * lines_) + 1, 0);
+
+  const double *x = position.col(0).data(), *y = position.col(1).data();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Index cell = place(y[i] - origin_.y, lines_) * columns_ + place(x[i] - origin_.x, columns_);
+    cell_of_[i] = static_cast<std::int32_t>(cell);
+    ++starts_[static_cast<std::size_t>(cell)];
+  }
+  std::int32_t total = 0;
+  for (auto& start : starts_) total = start = total + start;  // now the end of each cell
+  for (std::size_t i = n; i-- > 0;) order_[static_cast<std::size_t>(--starts_[static_cast<std::size_t>(cell_of_[i])])] = static_cast<std::int32_t>(i);
+}
+
+std::size_t CellGrid::bytes() const {
+  return (starts_.capacity() + cell_of_.capacity() + order_.capacity()) * sizeof(std::int32_t);
+}
+
+}  // namespace clapotis

@@ -1,0 +1,17 @@
+#include "common/simulation/scene.hpp"
+
+#include "common/simulation/errors.hpp"
+
+namespace clapotis {
+
+const Scene& Stage::scene(std::string_view wanted) const {
+  if (wanted.empty()) return scenes.front();
+  std::vector<std::string> names;
+  for (const auto& scene : scenes) {
+    if (scene.name == wanted) return scene;
+    names.push_back(scene.name);
+  }
+  throw BadInput(unknown_name("scene", wanted, names));
+}
+
+}  // namespace clapotis

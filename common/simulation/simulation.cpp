@@ -1,0 +1,220 @@
+#include "common/simulation/simulation.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "common/integrators/located_impacts.hpp"
+#include "common/simulation/errors.hpp"
+#include "common/simulation/time_step.hpp"
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+constexpr long checkpoint_every = 16;  // steps: a copy of the state costs a few per cent of one step
+constexpr long timed_every = 8;        // steps: reading the clock costs as much as moving a particle
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+/// A state to go back to. The steps from it to any later one can be repeated bit for bit.
+struct Simulation::Checkpoint {
+  Vectors position, velocity, acceleration;
+  double time, dissipated, dissipation;
+  bool current;
+  long steps;
+  LocatedImpacts::Contact contact;
+};
+
+Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::string_view integrator, int threads)
+    : scene_(scene), parameters_(scene.length_unit, scene.defaults, overrides), setup_(scene.build(parameters_)) {
+  parameters_.number(step_parameter);
+  parameters_.number(cfl_parameter);
+  parameters_.reject_unknown();
+  if (threads < 1) throw BadInput(say(words().threads_out_of_range, fmt::arg("value", threads)));
+  setup_.model->threads = threads;
+  system_ = std::make_unique<System>(std::move(setup_.particles), *setup_.model);
+  use_integrator(integrator);
+  choose_step();
+  if (dt_ > binding_limit().limit)
+    warnings_.push_back(say(words().beyond_limit, fmt::arg("dt", to_text(dt_)),
+                            fmt::arg("ratio", fmt::format("{:.3g}", dt_ / binding_limit().limit)),
+                            fmt::arg("limit", binding_limit().name), fmt::arg("formula", binding_limit().formula)));
+  keep();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::use_integrator(std::string_view name) {
+  auto scheme = make_integrator(name);
+  const LocatedImpacts::Contact contact = impacts_ != nullptr ? impacts_->contact() : LocatedImpacts::Contact{0, 0};
+  integrator_.reset();
+  impacts_ = nullptr;
+  if (setup_.locate_impacts) {
+    auto located = std::make_unique<LocatedImpacts>(std::move(scheme), *system_);
+    located->restore(contact);
+    impacts_ = located.get();
+    integrator_ = std::move(located);
+  } else {
+    integrator_ = std::move(scheme);
+  }
+  integrator_name_ = name;
+  system_->current = false;
+  if (checkpoint_) keep();
+}
+
+void Simulation::choose_step() {
+  auto limits = setup_.model->limits(particles());
+  const double c = falling_sound_speed(parameters_);
+  limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
+  dt_ = choose_dt(parameters_.number(step_parameter), limits);
+  limits_ = std::move(limits);
+  sound_speed_ = c;
+  // with a step beyond h/c the fastest particle that can still be followed moves one radius per step
+  fastest_ = std::max({fastest_, c, 10 * max_speed(particles())});
+}
+
+const StepLimit& Simulation::binding_limit() const { return binding(limits_); }
+
+void Simulation::set(std::string_view name, std::string_view value) {
+  const auto before = parameters_;
+  try {
+    parameters_.set(name, value, Origin::window);
+    setup_.model->refresh(parameters_);
+    choose_step();
+  } catch (...) {
+    parameters_ = before;
+    setup_.model->refresh(parameters_);
+    throw;
+  }
+  system_->current = false;
+  keep();
+}
+
+void Simulation::step(double until) {
+  const double left = until - time();
+  const double dt = left < dt_ * (1 + 1e-9) ? left : dt_;
+  if (dt <= 0) return;
+  if (steps_ - checkpoint_->steps >= checkpoint_every) keep();
+  advance(dt);
+  if (dt == left) system_->time = until;
+  check(dt);
+}
+
+void Simulation::advance(double dt) {
+  auto& s = *system_;
+  auto& model = *setup_.model;
+  model.timed = steps_ % timed_every == 0;
+  const auto start = std::chrono::steady_clock::now();
+  if (!s.current) s.evaluate(s.time);
+  s.current = true;
+  integrator_->step(s, dt);
+  const double integrated = model.timed ? seconds_since(start) : 0;
+  model.settle(s, dt);
+  s.current = integrator_->leaves_acceleration();
+  s.time += dt;
+  ++steps_;
+  if (model.timed) {
+    const double settled = seconds_since(start);
+    const double inside = model.seconds.neighbours + model.seconds.forces;
+    cost_.neighbours += timed_every * model.seconds.neighbours;
+    cost_.forces += timed_every * model.seconds.forces;
+    cost_.integration += timed_every * (integrated - inside);
+    cost_.walls += timed_every * (settled - integrated);
+    model.seconds = {};
+  }
+}
+
+void Simulation::check(double dt) {
+  const double speed = max_speed(particles());
+  const bool finite = std::isfinite(speed) && particles().position.allFinite();
+  if (finite && speed <= fastest_) return;
+
+  Index particle = 0;
+  for (Index i = 0; i < particles().size(); ++i) {
+    const double v = norm(row(particles().velocity, i));
+    const Vector r = row(particles().position, i);
+    if (!std::isfinite(v) || !std::isfinite(r.x + r.y) || v > fastest_) {
+      particle = i;
+      break;
+    }
+  }
+  const auto& limit = binding_limit();
+  auto cause = finite ? say(words().diverged_speed, fmt::arg("speed", fmt::format("{:.3g}", speed)),
+                            fmt::arg("bound", fmt::format("{:.3g}", fastest_)),
+                            fmt::arg("unit", scene_.length_unit + "/s"))
+                      : std::string(words().diverged_nan);
+  cause += dt > limit.limit * (1 + 1e-9)
+               ? say(words().cause_limit, fmt::arg("dt", to_text(dt)),
+                     fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
+                     fmt::arg("formula", limit.formula))
+               : say(words().cause_scheme, fmt::arg("integrator", integrator_name_), fmt::arg("dt", to_text(dt)));
+  const long step = steps_;
+  const double t = time();
+  go_back(step - 1);
+  throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", to_text(t)),
+                     fmt::arg("particle", particle), fmt::arg("cause", cause)),
+                 step, t, particle);
+}
+
+void Simulation::keep() {
+  if (!checkpoint_) checkpoint_ = std::make_unique<Checkpoint>();
+  const auto& s = *system_;
+  auto& c = *checkpoint_;
+  c.position = s.position;
+  c.velocity = s.velocity;
+  c.acceleration = s.acceleration;
+  c.time = s.time;
+  c.dissipated = s.dissipated_energy;
+  c.dissipation = s.dissipation;
+  c.current = s.current;
+  c.steps = steps_;
+  if (impacts_ != nullptr) c.contact = impacts_->contact();
+}
+
+/// Back to the checkpoint, then forward again, by the same steps, to the state after `steps` of them.
+void Simulation::go_back(long steps) {
+  auto& s = *system_;
+  const auto& c = *checkpoint_;
+  s.position = c.position;
+  s.velocity = c.velocity;
+  s.acceleration = c.acceleration;
+  s.time = c.time;
+  s.dissipated_energy = c.dissipated;
+  s.dissipation = c.dissipation;
+  s.current = c.current;
+  if (impacts_ != nullptr) impacts_->restore(c.contact);
+  for (steps_ = c.steps; steps_ < steps;) advance(dt_);
+}
+
+void Simulation::look(const std::function<void(const System&)>& look) {
+  auto& s = *system_;
+  const Vectors acceleration = s.acceleration;
+  const double dissipation = s.dissipation;
+  s.model.evaluate(s, s.time);
+  look(s);
+  s.acceleration = acceleration;
+  s.dissipation = dissipation;
+}
+
+double Simulation::error() const {
+  return setup_.reference ? setup_.reference->error(*system_) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::string> Simulation::warnings() const {
+  auto all = warnings_;
+  if (model().coincident > 0)
+    all.push_back(say(words().warn_coincident, fmt::arg("count", model().coincident)));
+  if (model().folded > 0) all.push_back(say(words().warn_folded, fmt::arg("count", model().folded)));
+  return all;
+}
+
+double Simulation::bytes_per_particle() const {
+  return static_cast<double>(particles().bytes() + model().bytes()) / static_cast<double>(particles().size());
+}
+
+}  // namespace clapotis

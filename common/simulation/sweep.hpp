@@ -1,0 +1,109 @@
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "common/laws/law.hpp"
+#include "common/simulation/parallel.hpp"
+
+namespace clapotis {
+
+/// One particle of the sweep: its place in the sorted order.
+using Slot = Index;
+
+/// The columns that pair laws read, copied into the order of the neighbour search, so that the candidates of a
+/// particle are contiguous and a pack of them is one load. Padded by one pack of far-away particles.
+template <class Search, class Mass, bool with_velocity>
+class Sweep {
+ public:
+  Search search;
+
+  void build(const Particles& particles, double support, int threads) {
+    support_ = support;
+    search.build(particles.position, support, threads);
+    n_ = particles.size();
+    gather(x_, particles.position.col(0).data(), threads);
+    gather(y_, particles.position.col(1).data(), threads);
+    if constexpr (with_velocity) {
+      gather(vx_, particles.velocity.col(0).data(), threads);
+      gather(vy_, particles.velocity.col(1).data(), threads);
+    }
+    if constexpr (std::is_same_v<Mass, StoredMass>) gather(mass_, particles.column("mass")->data(), threads);
+    view_ = make_view(particles);
+  }
+
+  [[nodiscard]] const auto& view() const { return view_; }
+  [[nodiscard]] Vector position(Slot i) const { return {x_(i), y_(i)}; }
+
+  /// Calls meet(j, ij) for the packs of particles that may act on the one in `slot`. Lanes that hold itself, or a
+  /// particle beyond the support, are given a distance of twice the support, where no law acts. Returns how many
+  /// others are at exactly its place; those are the caller's to deal with (`coincident`).
+  template <class Meet>
+  int around(Slot slot, const Meet& meet) const {
+    const Vec<Pack> r{Pack(x_(slot)), Pack(y_(slot))};
+    const double support2 = support_ * support_;
+    int at_one_point = -1;  // itself
+    search.candidates(position(slot), [&](Slot first, Slot last) {
+      for (Slot at = first; at < last; at += pack_width) {
+        const Run j{at};
+        const Vec<Pack> d = r - Vec<Pack>{load(x_.data(), j), load(y_.data(), j)};
+        const Pack d2 = dot(d, d);
+        const auto near = d2 < support2 && lanes() < static_cast<double>(last - at);
+        if (none_of(near)) continue;
+        const auto apart = d2 > 0.0;
+        at_one_point += popcount(near && !apart);
+        const Pack inverse = 1.0 / sqrt(select(near && apart, d2, Pack(4 * support2)));
+        meet(j, Encounter{d, select(near && apart, d2 * inverse, Pack(2 * support_)), inverse * d});
+      }
+    });
+    return at_one_point;
+  }
+
+  /// Calls meet(j, ij) for each other particle at exactly the place of the one in `slot`; only lane 0 counts. The
+  /// direction follows from the two ids, opposite for the other of the two.
+  template <class Meet>
+  void coincident(Slot slot, const Meet& meet) const {
+    search.candidates(position(slot), [&](Slot first, Slot last) {
+      for (Slot j = first; j < last; ++j) {
+        const double dx = x_(slot) - x_(j), dy = y_(slot) - y_(j);
+        if (j == slot || dx * dx + dy * dy > 0) continue;
+        const Vector u = direction_of(search.id(slot), search.id(j));
+        meet(Run{j}, Encounter{{Pack(0.0), Pack(0.0)}, Pack(0.0), {Pack(u.x), Pack(u.y)}});
+      }
+    });
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    return search.bytes() +
+           static_cast<std::size_t>(x_.size() + y_.size() + vx_.size() + vy_.size() + mass_.size()) * sizeof(double);
+  }
+
+ private:
+  static Vector direction_of(Index a, Index b) {
+    const double turn = 0.7548776662466927 * static_cast<double>(std::min(a, b)) +
+                        0.5698402909980532 * static_cast<double>(std::max(a, b));  // spread evenly over the circle
+    const double angle = 2 * M_PI * (turn - std::floor(turn));
+    const double sign = a < b ? 1 : -1;
+    return {sign * std::cos(angle), sign * std::sin(angle)};
+  }
+
+  void gather(Column& sorted, const double* column, int threads) {
+    constexpr double far_away = 1e150;
+    if (sorted.size() != n_ + pack_width) sorted = Column::Constant(n_ + pack_width, far_away);
+    for_each(n_, threads, [&](Slot i) { sorted(i) = column[search.id(i)]; });
+  }
+
+  View<Mass, with_velocity> make_view(const Particles& particles) const {
+    Mass mass(particles);
+    if constexpr (std::is_same_v<Mass, StoredMass>) mass.m = mass_.data();
+    return {mass, x_.data(), y_.data(), vx_.data(), vy_.data()};
+  }
+
+  Index n_ = 0;
+  double support_ = 0;
+  Column x_, y_, vx_, vy_, mass_;
+  View<Mass, with_velocity> view_{Mass(Particles(0, 1)), nullptr, nullptr, nullptr, nullptr};
+};
+
+}  // namespace clapotis

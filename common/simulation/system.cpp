@@ -1,0 +1,13 @@
+#include "common/simulation/system.hpp"
+
+#include "common/simulation/model.hpp"
+
+namespace clapotis {
+
+void System::evaluate(double t) {
+  model.evaluate(*this, t);
+  if (bear) bear(*this);
+  ++force_evaluations;
+}
+
+}  // namespace clapotis
