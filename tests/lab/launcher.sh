@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# What ./lab promises, on a copy of it in a folder with a space, with stand-ins for apt, cmake and two stages.
+set -u
+here=$(dirname "$(readlink -f "$0")")
+box=$(mktemp -d)
+trap 'rm -rf "$box"' EXIT
+house="$box/a house"
+failures=0
+
+# expect TITLE STATUS PATTERN COMMAND...: the command ends with STATUS, and what it prints matches PATTERN.
+expect() {
+  local said status
+  said=$(cd "$box" && "${@:4}" 2>&1 < /dev/null); status=$?
+  [[ $status == "$2" && $said =~ $3 ]] && { echo "ok: $1"; return; }
+  printf 'FAILED: %s\n  exit code %s instead of %s, expected /%s/ in:\n%s\n' "$1" "$status" "$2" "$3" "$said"
+  failures=$((failures + 1))
+}
+
+# stand_in NAME: a command of this name, whose script is the standard input.
+stand_in() { { echo '#!/usr/bin/env bash'; cat; } > "$box/tools/$1"; chmod +x "$box/tools/$1"; }
+
+mkdir -p "$house"/stage{1_bouncing,2_cloud} "$box/tools"
+touch "$house"/stage{1_bouncing,2_cloud}/main.cpp "$house/CMakePresets.json"
+cp "$here/../../lab" "$house/lab"
+export PATH="$box/tools:$PATH" BOX=$box
+unset DISPLAY WAYLAND_DISPLAY CI
+# shellcheck disable=SC2016  # to be expanded by the stand-ins
+stand_in dpkg-query <<< '[[ -e $BOX/installed ]] && for name in "${@:4}"; do echo "$name installed"; done'
+stand_in dpkg <<< ':'
+stand_in sudo <<'SUDO'
+[[ -e $BOX/forbidden ]] && exit 1
+[[ $1 == -* ]] && shift
+exec "$@"
+SUDO
+stand_in apt-get <<'APT'
+[[ -e $BOX/offline ]] && { echo 'E: no network'; exit 100; }
+[[ $* == *install* ]] && echo 'Setting up cmake' && : > "$BOX/installed"
+:
+APT
+stand_in ctest <<< 'echo "ctest $*"; exit 8'
+stand_in stage <<'STAGE'
+[[ $* == *--headless* || -n ${DISPLAY:-} ]] || exit 3
+echo "${0##*/} $*"
+[[ $* == *diverge* ]] && exit 5
+[[ $* == *--headless* ]] && mkdir -p "runs/${0##*/}" && : > "runs/${0##*/}/picture.png"
+:
+STAGE
+stand_in cmake <<'CMAKE'
+if [[ $1 == --preset ]]; then
+  mkdir -p build/release/bin && : > build/release/build.ninja
+  printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCLAPOTIS_WERROR:BOOL=OFF\n' "$PWD" > build/release/CMakeCache.txt
+  echo configured >> "$BOX/configured"
+else
+  [[ -e $BOX/broken ]] && { echo 'error: expected ;'; exit 1; }
+  [[ -e $BOX/full ]] && { echo 'write: No space left on device'; exit 1; }
+  for name in stage1_bouncing stage2_cloud bench compare; do cp "$BOX/tools/stage" "build/release/bin/$name"; done
+  echo 'ninja: no work to do.'
+fi
+CMAKE
+
+lab="$house/lab"
+expect 'alone, it lists what it can do' 0 'run STAGE' "$lab"
+expect 'a misspelt verb is answered with the nearest one' 2 'nearest is "bench"' "$lab" bnech
+expect 'a misspelt stage is answered with the nearest one' 2 'nearest is "stage2_cloud"' "$lab" run stage2_clod
+: > "$box/offline"
+expect 'without a network it says what to type' 69 'no network.*apt-get update && .*apt-get install .*libsfml-dev' "$lab" run
+rm "$box/offline"
+: > "$box/forbidden"
+[[ $EUID == 0 ]] || expect 'without rights it says what to ask for' 69 'administrator.*sudo apt-get install .*cmake' "$lab" run
+rm "$box/forbidden"
+expect 'the first tour installs, builds and runs every stage headless' 0 \
+  'Installing.*No usable display.*stage1_bouncing --headless.*stage2_cloud --headless.*runs/stage2_cloud/picture.png' "$lab" run
+expect 'the results are in the folder it was called from' 0 'stage1_bouncing' ls "$box/runs"
+expect 'options reach the stage as they were typed' 0 'stage2_cloud grid --set name=a b --headless' \
+  "$lab" run stage2_cloud grid --set 'name=a b'
+expect 'once all is there it adds no word of its own' 0 '^stage2_cloud --list scenes$' \
+  env DISPLAY=:0 "$lab" run stage2_cloud --list scenes
+expect 'with a display, stages open their windows one after another' 0 'stage1_bouncing .*stage2_cloud ' \
+  env DISPLAY=:0 "$lab" run
+expect 'the exit code of a stage ends the tour' 5 '^[^2]*$' env DISPLAY=:0 "$lab" run --set diverge=1
+expect 'ctest has the last word, and its exit code passes through' 8 'ctest --preset release -j [0-9]+ -R window$' \
+  "$lab" test -R window
+expect 'compare passes its arguments on' 0 '^compare A B --headless$' "$lab" compare A B --headless
+expect 'it configured once' 0 '^1$' grep -c configured "$box/configured"
+: > "$box/broken"
+expect 'a failed build shows why' 70 'expected ;' "$lab" bench
+rm "$box/broken"
+: > "$box/full"
+expect 'a full disk is named' 70 'The disk is full' "$lab" bench
+rm "$box/full"
+mv "$house" "$box/elsewhere"
+expect 'a folder that moved is configured again' 0 'compare' "$box/elsewhere/lab" compare --headless
+expect 'once, and only once' 0 '^2$' grep -c configured "$box/configured"
+mkdir "$box/elsewhere/runs"
+expect 'clean removes the build' 0 '^$' "$box/elsewhere/lab" clean
+expect 'clean keeps the results' 0 '^runs$' bash -c 'cd elsewhere && ls -d runs build 2> /dev/null; :'
+exit $((failures > 0))
