@@ -6,7 +6,7 @@
 #include "common/integrators/symplectic_euler.hpp"
 #include "common/integrators/velocity_verlet.hpp"
 #include "common/simulation/errors.hpp"
-#include "common/words.hpp"
+#include "common/simulation/parameters.hpp"
 
 namespace clapotis {
 namespace {

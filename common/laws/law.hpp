@@ -44,15 +44,17 @@ inline Pack load(const double* column, Run j) { return {column + j.first, std::e
 
 /// All particles of the scene have one mass.
 struct UniformMass {
+  UniformMass() = default;
   explicit UniformMass(const Particles& particles) : m(particles.uniform_mass) {}
-  double m;
+  double m = 1;
   [[nodiscard]] double mass(auto /*i*/) const { return m; }
 };
 
 /// Each particle has its own mass, in the column "mass".
 struct StoredMass {
+  StoredMass() = default;
   explicit StoredMass(const Particles& particles) : m(particles.column("mass")->data()) {}
-  const double* m;
+  const double* m = nullptr;
   [[nodiscard]] auto mass(auto i) const { return load(m, i); }
 };
 
@@ -63,7 +65,7 @@ inline constexpr bool never = false;
 /// `static constexpr bool reads_velocity = true`, for they have to be brought along in the order of the sweep.
 template <class Mass, bool with_velocity>
 struct View : Mass {
-  const double *x, *y, *vx, *vy;
+  const double *x = nullptr, *y = nullptr, *vx = nullptr, *vy = nullptr;
 
   [[nodiscard]] auto position(auto i) const { return Vec{load(x, i), load(y, i)}; }
   [[nodiscard]] auto velocity(auto i) const {

@@ -91,6 +91,7 @@ void Simulation::set(std::string_view name, std::string_view value) {
     setup_.model->refresh(parameters_);
     throw;
   }
+  if (name != step_parameter.name && name != cfl_parameter.name) setup_.reference.reset();  // it was for other values
   system_->current = false;
   keep();
 }

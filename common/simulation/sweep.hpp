@@ -103,7 +103,7 @@ class Sweep {
   Index n_ = 0;
   double support_ = 0;
   Column x_, y_, vx_, vy_, mass_;
-  View<Mass, with_velocity> view_{Mass(Particles(0, 1)), nullptr, nullptr, nullptr, nullptr};
+  View<Mass, with_velocity> view_;
 };
 
 }  // namespace clapotis
