@@ -1,0 +1,9 @@
+#pragma once
+
+// One Catch2 for every test: 3.x where it is installed, else the single header of 2.x (Debian 12).
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+using Catch::Approx;
+#else
+#include <catch2/catch.hpp>
+#endif
