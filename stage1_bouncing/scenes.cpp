@@ -13,8 +13,8 @@
 namespace clapotis::stage1 {
 namespace {
 
-const Parameter impacts{.name = "impacts", .symbol = "", .unit = "", .change = Change::restart,
-                        .choices = {"located", "clamp"}};
+const Parameter impacts{
+    .name = "impacts", .symbol = "", .unit = "", .change = Change::restart, .choices = {"located", "clamp"}};
 
 /// The particle at (x0, y0) with velocity (vx0, vy0), inside its walls.
 template <class Model>
@@ -35,24 +35,29 @@ Setup bounce(Parameters& p) {
       p, {0, p.number(box_width), 0, p.number(box_height)});
 }
 
-/// y'' = -g - y'/tau with tau = m/beta, v+ = -e v-, in closed form; x likewise, between walls it does not reach.
+/// y'' = -g - y'/tau with tau = m/beta, v+ = -e v-, in closed form; x likewise, between walls it does not
+/// reach.
 Reference exact_fall(Parameters& p) {
   const double beta = p.value("drag");
   const double tau = beta > 0 ? p.value("mass") / beta : std::numeric_limits<double>::infinity();
-  const BouncingBall ball{.height = p.value("y0"), .speed = p.value("vy0"), .gravity = p.value("gravity"),
-                          .drag_time = tau, .restitution = p.value("restitution")};
+  const BouncingBall ball{.height = p.value("y0"),
+                          .speed = p.value("vy0"),
+                          .gravity = p.value("gravity"),
+                          .drag_time = tau,
+                          .restitution = p.value("restitution")};
   const double x0 = p.value("x0"), vx0 = p.value("vx0");
   return {.name = "closed_form",
           .measure = "|y - y_exact|",
           .unit = p.length_unit(),
           .source = "y'' = -g - y'/tau, v+ = -e v-, solved in closed form between impacts",
           .error = [ball](const System& s) { return std::abs(s.position(0, 1) - ball.at(s.time).y); },
-          .positions = [=](double t) {
-            const double drift = std::isinf(tau) ? t : -tau * std::expm1(-t / tau);
-            Vectors r(1, 2);
-            r << x0 + vx0 * drift, ball.at(t).y;
-            return r;
-          }};
+          .positions =
+              [=](double t) {
+                const double drift = std::isinf(tau) ? t : -tau * std::expm1(-t / tau);
+                Vectors r(1, 2);
+                r << x0 + vx0 * drift, ball.at(t).y;
+                return r;
+              }};
 }
 
 Setup drop(Parameters& p) {
@@ -66,17 +71,24 @@ Setup drop(Parameters& p) {
 }  // namespace
 
 Stage stage() {
-  return {.name = "stage1_bouncing",
-          .title = "Stage 1 - bouncing",
-          .scenes = {{.name = "bounce",
-                      .length_unit = "px",
-                      .defaults = {{"gravity", "500"}, {"drag", "0.1"}, {"x0", "100"}, {"y0", "500"}, {"vx0", "200"}},
-                      .build = bounce},
-                     {.name = "drop",
-                      .length_unit = "m",
-                      .defaults = {{"radius", "0.05"}, {"gravity", "9.81"}, {"drag", "1"}, {"width", "1.5"},
-                                   {"height", "1.2"}, {"x0", "0.75"}, {"y0", "1"}},
-                      .build = drop}}};
+  return {
+      .name = "stage1_bouncing",
+      .title = "Stage 1 - bouncing",
+      .scenes = {
+          {.name = "bounce",
+           .length_unit = "px",
+           .defaults = {{"gravity", "500"}, {"drag", "0.1"}, {"x0", "100"}, {"y0", "500"}, {"vx0", "200"}},
+           .build = bounce},
+          {.name = "drop",
+           .length_unit = "m",
+           .defaults = {{"radius", "0.05"},
+                        {"gravity", "9.81"},
+                        {"drag", "1"},
+                        {"width", "1.5"},
+                        {"height", "1.2"},
+                        {"x0", "0.75"},
+                        {"y0", "1"}},
+           .build = drop}}};
 }
 
 }  // namespace clapotis::stage1

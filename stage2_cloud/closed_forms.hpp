@@ -7,9 +7,10 @@
 
 namespace clapotis::stage2 {
 
-/// The head-on collision of the two particles, in closed form until one of them reaches a wall; nothing where weight
-/// or drag act as well, or where the two overlap from the start.
-std::optional<Reference> head_on_collision(const Parameters& p, const Particles& particles, const Walls& walls);
+/// The head-on collision of the two particles, in closed form until one of them reaches a wall; nothing where
+/// weight or drag act as well, or where the two overlap from the start.
+std::optional<Reference> head_on_collision(const Parameters& p, const Particles& particles,
+                                           const Walls& walls);
 
 /// The column of n discs at rest: the n-th contact from the top overlaps by n m g/k.
 Reference column_at_rest(const Parameters& p, Index n);

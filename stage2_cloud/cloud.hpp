@@ -14,11 +14,23 @@
 
 namespace clapotis::stage2 {
 
-inline const Parameter particle_count{.name = "particles", .symbol = "N", .unit = "", .value = 500,
-                                      .range = {.low = 1, .high = 1e8}, .change = Change::restart};
-inline const Parameter placement_seed{.name = "seed", .symbol = "", .unit = "", .value = 1,
-                                      .range = {.low = 0, .high = 0x1p53}, .change = Change::restart};
-inline const Parameter mass_ratio{.name = "mass_ratio", .symbol = "m2/m1", .unit = "", .value = 1, .range = positive,
+inline const Parameter particle_count{.name = "particles",
+                                      .symbol = "N",
+                                      .unit = "",
+                                      .value = 500,
+                                      .range = {.low = 1, .high = 1e8},
+                                      .change = Change::restart};
+inline const Parameter placement_seed{.name = "seed",
+                                      .symbol = "",
+                                      .unit = "",
+                                      .value = 1,
+                                      .range = {.low = 0, .high = 0x1p53},
+                                      .change = Change::restart};
+inline const Parameter mass_ratio{.name = "mass_ratio",
+                                  .symbol = "m2/m1",
+                                  .unit = "",
+                                  .value = 1,
+                                  .range = positive,
                                   .change = Change::restart};
 
 /// The laws of a cloud of discs; `Search` is how they find each other.
@@ -63,7 +75,8 @@ Setup pair(Parameters& p) {
   return setup;
 }
 
-/// N discs in a column on the floor, just touching; their weight presses them together, drag lets them come to rest.
+/// N discs in a column on the floor, just touching; their weight presses them together, drag lets them come
+/// to rest.
 template <class Search>
 Setup stack(Parameters& p) {
   Setup setup{.particles = Particles(p.integer(particle_count), p.number(disc_mass)),

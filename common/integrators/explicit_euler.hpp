@@ -4,9 +4,9 @@
 
 namespace clapotis {
 
-/// Explicit Euler as the handout prints it (section III): the new velocity from the acceleration, the new position
-/// from the OLD velocity. Order 1. Multiplies the energy of an oscillator by 1 + w^2 dt^2 each step: unstable with
-/// springs at any dt.
+/// Explicit Euler as the handout prints it (section III): the new velocity from the acceleration, the new
+/// position from the OLD velocity. Order 1. Multiplies the energy of an oscillator by 1 + w^2 dt^2 each step:
+/// unstable with springs at any dt.
 class ExplicitEuler final : public Integrator {
  public:
   void step(System& s, double dt) override {

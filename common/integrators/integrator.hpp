@@ -9,8 +9,9 @@
 
 namespace clapotis {
 
-/// A scheme that advances a system by one step. On entry the acceleration belongs to the state (System::current).
-/// An integrator keeps its scratch columns between steps, so that a step allocates nothing.
+/// A scheme that advances a system by one step. On entry the acceleration belongs to the state
+/// (System::current). An integrator keeps its scratch columns between steps, so that a step allocates
+/// nothing.
 class Integrator {
  public:
   virtual ~Integrator() = default;

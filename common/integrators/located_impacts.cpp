@@ -47,9 +47,10 @@ double LocatedImpacts::closing(const State& state, const Side& side) {
   return side.high ? v : -v;
 }
 
-/// Where `value` of the state changes sign between `from` and `to`: regula falsi with the Illinois rule, and bisection
-/// whenever that does not halve the bracket in three tries.
-double LocatedImpacts::root(const Piece& piece, double from, double to, const std::function<double(const State&)>& value) {
+/// Where `value` of the state changes sign between `from` and `to`: regula falsi with the Illinois rule, and
+/// bisection whenever that does not halve the bracket in three tries.
+double LocatedImpacts::root(const Piece& piece, double from, double to,
+                            const std::function<double(const State&)>& value) {
   const auto at = [&](double dt) { return value(run(piece, dt)); };
   double f_from = at(from), f_to = at(to), width = to - from;
   for (int tries = 0; tries < 200 && to - from > 4e-16 * piece.dt && f_to != 0; ++tries) {

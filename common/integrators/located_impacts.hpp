@@ -9,13 +9,14 @@
 
 namespace clapotis {
 
-/// One particle between walls whose impacts are found inside the step, so that they keep the order of the scheme.
+/// One particle between walls whose impacts are found inside the step, so that they keep the order of the
+/// scheme.
 ///
-/// A step that ends beyond a wall is taken back; the share of it that ends on the wall is found on the scheme's own
-/// path, the normal velocity is turned round, and the rest of the step follows. Infinitely many impacts end in finite
-/// time (Zeno): when all that would follow, lasting 2 e v/(a (1 - e)) together, fit in what is left of the step, the
-/// particle rests on the wall until the laws push it away. After `most_impacts` in one step its rest is a free flight,
-/// folded by its reflections.
+/// A step that ends beyond a wall is taken back; the share of it that ends on the wall is found on the
+/// scheme's own path, the normal velocity is turned round, and the rest of the step follows. Infinitely many
+/// impacts end in finite time (Zeno): when all that would follow, lasting 2 e v/(a (1 - e)) together, fit in
+/// what is left of the step, the particle rests on the wall until the laws push it away. After `most_impacts`
+/// in one step its rest is a free flight, folded by its reflections.
 class LocatedImpacts final : public Integrator {
  public:
   static constexpr int most_impacts = 64;
@@ -28,7 +29,9 @@ class LocatedImpacts final : public Integrator {
   ~LocatedImpacts() override;
 
   void step(System& system, double dt) override;
-  [[nodiscard]] bool leaves_acceleration() const override { return !touched_ && scheme_->leaves_acceleration(); }
+  [[nodiscard]] bool leaves_acceleration() const override {
+    return !touched_ && scheme_->leaves_acceleration();
+  }
 
   [[nodiscard]] const Contact& contact() const { return contact_; }
   void restore(const Contact& contact) { contact_ = contact; }
@@ -51,7 +54,8 @@ class LocatedImpacts final : public Integrator {
   State run(const Piece& piece, double dt);
   void put(const State& state);
   [[nodiscard]] State state() const;
-  [[nodiscard]] double gap(const State& state, const Side& side) const;  ///< from the wall [L]; negative beyond it
+  [[nodiscard]] double gap(const State& state,
+                           const Side& side) const;  ///< from the wall [L]; negative beyond it
   [[nodiscard]] static double closing(const State& state, const Side& side);
   /// When the particle reaches that wall during the piece, which ends in `end`; infinity if it does not.
   double impact_time(const Piece& piece, const State& end, const Side& side);

@@ -4,8 +4,8 @@
 
 namespace clapotis {
 
-/// Runge-Kutta 2, midpoint (Runge 1895). Order 2, two evaluations per step; an undamped oscillator slowly gains
-/// energy, (w dt)^4/4 of it each step.
+/// Runge-Kutta 2, midpoint (Runge 1895). Order 2, two evaluations per step; an undamped oscillator slowly
+/// gains energy, (w dt)^4/4 of it each step.
 class Rk2 final : public Integrator {
  public:
   void step(System& s, double dt) override {

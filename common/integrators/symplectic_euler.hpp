@@ -4,8 +4,8 @@
 
 namespace clapotis {
 
-/// Symplectic (semi-implicit) Euler: the new position from the NEW velocity. Order 1; an oscillator keeps its energy
-/// on average for w dt < 2. One line away from the printed one, for the same price.
+/// Symplectic (semi-implicit) Euler: the new position from the NEW velocity. Order 1; an oscillator keeps its
+/// energy on average for w dt < 2. One line away from the printed one, for the same price.
 class SymplecticEuler final : public Integrator {
  public:
   void step(System& s, double dt) override {

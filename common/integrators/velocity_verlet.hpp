@@ -4,9 +4,9 @@
 
 namespace clapotis {
 
-/// Velocity Verlet (Verlet 1967, Swope et al. 1982): kick, drift, kick. Order 2, symplectic for forces of position
-/// alone, stable for w dt < 2, one evaluation per step. The velocity is predicted before the evaluation, for forces
-/// that depend on it: this keeps order 2 with drag.
+/// Velocity Verlet (Verlet 1967, Swope et al. 1982): kick, drift, kick. Order 2, symplectic for forces of
+/// position alone, stable for w dt < 2, one evaluation per step. The velocity is predicted before the
+/// evaluation, for forces that depend on it: this keeps order 2 with drag.
 class VelocityVerlet final : public Integrator {
  public:
   void step(System& s, double dt) override {

@@ -5,7 +5,8 @@
 
 namespace clapotis {
 
-/// Viscous friction of the air: f = -beta v. Handout, section III. Explicit Euler is stable for dt < 2 m/beta.
+/// Viscous friction of the air: f = -beta v. Handout, section III. Explicit Euler is stable for dt < 2
+/// m/beta.
 struct AirDrag {
   static constexpr std::string_view name = "air_drag";
   double beta;  ///< [kg/s], >= 0

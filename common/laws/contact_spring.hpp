@@ -2,23 +2,24 @@
 
 #include <cmath>
 
-#include "common/simulation/quantities.hpp"
 #include "common/laws/law.hpp"
 #include "common/simulation/model.hpp"
+#include "common/simulation/quantities.hpp"
 
 namespace clapotis {
 
-/// Repulsion of two discs in contact: f_i = k (2h - r) u for r < 2h, else 0; u points from j to i. Each contact
-/// stores k (2h - r)^2/2. Handout, section IV. Stable in a hexagonal pack for dt < 0.816 sqrt(m/k) with symplectic
-/// Euler or Verlet; a pair alone bears more (w dt < 2), explicit Euler nothing.
+/// Repulsion of two discs in contact: f_i = k (2h - r) u for r < 2h, else 0; u points from j to i. Each
+/// contact stores k (2h - r)^2/2. Handout, section IV. Stable in a hexagonal pack for dt < 0.816 sqrt(m/k)
+/// with symplectic Euler or Verlet; a pair alone bears more (w dt < 2), explicit Euler nothing.
 struct ContactSpring {
   static constexpr std::string_view name = "contact_spring";
   double k;  ///< stiffness [kg/s^2], > 0
   double h;  ///< radius [L], > 0
 
   static ContactSpring from(Parameters& p) {
-    return {p.number({.name = "stiffness", .symbol = "k", .unit = "kg/s^2", .value = 1.5e5, .range = positive}),
-            p.number(disc_radius)};
+    return {
+        p.number({.name = "stiffness", .symbol = "k", .unit = "kg/s^2", .value = 1.5e5, .range = positive}),
+        p.number(disc_radius)};
   }
   Vec<Pack> pair(const auto& p, auto i, auto /*j*/, const Encounter& ij) const {
     const Pack overlap = max(2 * h - ij.distance, 0.0);

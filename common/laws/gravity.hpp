@@ -10,7 +10,8 @@ struct Gravity {
   double g;  ///< [L/s^2], >= 0
 
   static Gravity from(Parameters& p) {
-    return {p.number({.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = not_negative})};
+    return {
+        p.number({.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = not_negative})};
   }
   Vector body(const auto& /*p*/, Index /*i*/, double /*t*/) const { return {0, -g}; }
   double potential(const auto& p, Index i) const { return p.mass(i) * g * p.position(i).y; }

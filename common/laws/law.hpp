@@ -9,20 +9,20 @@
 
 /// What a law is.
 ///
-/// A law is a small value type with a `name`, a function `from(Parameters&)` that reads its parameters, and one or
-/// more of these hooks. A hook that it lacks generates no code.
+/// A law is a small value type with a `name`, a function `from(Parameters&)` that reads its parameters, and
+/// one or more of these hooks. A hook that it lacks generates no code.
 ///
 ///   Vector    body(p, i, t)        acceleration of particle i at time t [L/s^2]
-///   Vec<Pack> pair(p, i, j, ij)    acceleration of particle i by the particles j; zero at and beyond the support
-///   double    support()            with `pair`: the distance beyond which nothing acts [L]
-///   void      settle(system, dt)   after the step; the only place that may move a particle
-///   double    potential(p, i)      energy stored by `body` [energy]
-///   Pack      pair_potential(p, i, j, ij)  energy stored between i and each j [energy]
-///   double    dissipation(p, i)    power that `body` takes out of the motion [energy/s]
-///   StepLimit limit(particles)     the largest stable time step
+///   Vec<Pack> pair(p, i, j, ij)    acceleration of particle i by the particles j; zero at and beyond the
+///   support double    support()            with `pair`: the distance beyond which nothing acts [L] void
+///   settle(system, dt)   after the step; the only place that may move a particle double    potential(p, i)
+///   energy stored by `body` [energy] Pack      pair_potential(p, i, j, ij)  energy stored between i and each
+///   j [energy] double    dissipation(p, i)    power that `body` takes out of the motion [energy/s] StepLimit
+///   limit(particles)     the largest stable time step
 ///
-/// `p` gives p.position(i), p.velocity(i), p.mass(i). In `pair`, i is one particle and j is as many as a pack holds,
-/// so p.mass(j) is a Pack, and a value of j cannot be asked about with `if`: use max, min, select (pack.hpp).
+/// `p` gives p.position(i), p.velocity(i), p.mass(i). In `pair`, i is one particle and j is as many as a pack
+/// holds, so p.mass(j) is a Pack, and a value of j cannot be asked about with `if`: use max, min, select
+/// (pack.hpp).
 namespace clapotis {
 
 struct System;
@@ -40,7 +40,9 @@ struct Encounter {
 };
 
 inline double load(const double* column, Index i) { return column[i]; }
-inline Pack load(const double* column, Run j) { return {column + j.first, std::experimental::element_aligned}; }
+inline Pack load(const double* column, Run j) {
+  return {column + j.first, std::experimental::element_aligned};
+}
 
 /// All particles of the scene have one mass.
 struct UniformMass {
@@ -62,7 +64,8 @@ template <class>
 inline constexpr bool never = false;
 
 /// What a law sees of the particles. A pair law that reads velocities says so with
-/// `static constexpr bool reads_velocity = true`, for they have to be brought along in the order of the sweep.
+/// `static constexpr bool reads_velocity = true`, for they have to be brought along in the order of the
+/// sweep.
 template <class Mass, bool with_velocity>
 struct View : Mass {
   const double *x = nullptr, *y = nullptr, *vx = nullptr, *vy = nullptr;
@@ -87,31 +90,44 @@ View<Mass, true> view_of(const Particles& p) {
 using AnyView = View<UniformMass, true>;
 
 template <class L>
-concept ActsOnBody = requires(const L& law, const AnyView& p, Index i, double t) { Vector{law.body(p, i, t)}; };
+concept ActsOnBody = requires(const L& law, const AnyView& p, Index i, double t) {
+  Vector{law.body(p, i, t)};
+};
 template <class L>
 concept ActsOnPair = requires(const L& law, const AnyView& p, Index i, Run j, const Encounter& ij) {
   Vec<Pack>{law.pair(p, i, j, ij)};
   double{law.support()};
 };
 template <class L>
-concept Settles = requires(L& law, System& system, double dt) { law.settle(system, dt); };
+concept Settles = requires(L& law, System& system, double dt) {
+  law.settle(system, dt);
+};
 template <class L>
-concept StoresPotential = requires(const L& law, const AnyView& p, Index i) { double{law.potential(p, i)}; };
+concept StoresPotential = requires(const L& law, const AnyView& p, Index i) {
+  double{law.potential(p, i)};
+};
 template <class L>
 concept StoresPairPotential = requires(const L& law, const AnyView& p, Index i, Run j, const Encounter& ij) {
   Pack{law.pair_potential(p, i, j, ij)};
 };
 template <class L>
-concept Dissipates = requires(const L& law, const AnyView& p, Index i) { double{law.dissipation(p, i)}; };
+concept Dissipates = requires(const L& law, const AnyView& p, Index i) {
+  double{law.dissipation(p, i)};
+};
 template <class L>
-concept LimitsStep = requires(const L& law, const Particles& particles) { law.limit(particles); };
+concept LimitsStep = requires(const L& law, const Particles& particles) {
+  law.limit(particles);
+};
 template <class L>
-concept ReadsVelocity = requires { requires L::reads_velocity; };
+concept ReadsVelocity = requires {
+  requires L::reads_velocity;
+};
 
 template <class L>
 concept Law = requires(Parameters& p) {
   { L::from(p) } -> std::same_as<L>;
   std::string_view{L::name};
-} && (ActsOnBody<L> || ActsOnPair<L> || Settles<L>);
+}
+&&(ActsOnBody<L> || ActsOnPair<L> || Settles<L>);
 
 }  // namespace clapotis

@@ -12,8 +12,8 @@
 namespace clapotis {
 namespace {
 
-const Parameter restitution{.name = "restitution", .symbol = "e", .unit = "", .value = 0.8,
-                            .range = {.low = 0, .high = 1}};
+const Parameter restitution{
+    .name = "restitution", .symbol = "e", .unit = "", .value = 0.8, .range = {.low = 0, .high = 1}};
 void require_room(double h, double side, const std::string& unit) {
   if (2 * h > side)
     throw BadInput(say(words().box_too_small, fmt::arg("radius", to_text(h)), fmt::arg("side", to_text(side)),
@@ -41,15 +41,14 @@ double clamp_axis(double low, double high, double e, double dt, double& r, doubl
 
 void settle_all(const Walls& walls, System& s, double dt) {
   std::vector<long long> folded(blocks_of(s.position.rows()), 0);
-  s.dissipated_energy +=
-      sum_over(s.position.rows(), s.model.threads, [&](Index i, std::size_t block) {
-        Vector r = row(s.position, i), v = row(s.velocity, i);
-        if (r.x >= walls.left && r.x <= walls.right && r.y >= walls.bottom && r.y <= walls.top) return 0.0;
-        const double lost = s.particles.mass(i) * walls.clamp(r, v, dt, folded[block]);
-        s.position.row(i) << r.x, r.y;
-        s.velocity.row(i) << v.x, v.y;
-        return lost;
-      });
+  s.dissipated_energy += sum_over(s.position.rows(), s.model.threads, [&](Index i, std::size_t block) {
+    Vector r = row(s.position, i), v = row(s.velocity, i);
+    if (r.x >= walls.left && r.x <= walls.right && r.y >= walls.bottom && r.y <= walls.top) return 0.0;
+    const double lost = s.particles.mass(i) * walls.clamp(r, v, dt, folded[block]);
+    s.position.row(i) << r.x, r.y;
+    s.velocity.row(i) << v.x, v.y;
+    return lost;
+  });
   for (const auto count : folded) s.model.folded += count;
 }
 
@@ -64,9 +63,9 @@ void require_inside(Parameters& p, const Walls& walls) {
   const auto check = [&](const Parameter& parameter, double low, double high) {
     const double value = p.number(parameter);
     if (value >= low && value <= high) return;
-    throw BadInput(say(words().outside_box, fmt::arg("name", parameter.name), fmt::arg("value", to_text(value)),
-                       fmt::arg("low", to_text(low)), fmt::arg("high", to_text(high)),
-                       fmt::arg("unit", p.length_unit())));
+    throw BadInput(say(words().outside_box, fmt::arg("name", parameter.name),
+                       fmt::arg("value", to_text(value)), fmt::arg("low", to_text(low)),
+                       fmt::arg("high", to_text(high)), fmt::arg("unit", p.length_unit())));
   };
   check(start_x, walls.left, walls.right);
   check(start_y, walls.bottom, walls.top);
@@ -98,7 +97,10 @@ void BoxWalls::settle(System& system, double dt) const { settle_all(walls, syste
 
 CentreFloor CentreFloor::from(Parameters& p) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  return {{.left = 0, .right = p.number(box_width), .bottom = 0, .top = infinite,
+  return {{.left = 0,
+           .right = p.number(box_width),
+           .bottom = 0,
+           .top = infinite,
            .restitution = p.number(restitution)}};
 }
 

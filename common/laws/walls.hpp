@@ -2,13 +2,13 @@
 
 #include <limits>
 
-#include "common/simulation/quantities.hpp"
 #include "common/laws/law.hpp"
+#include "common/simulation/quantities.hpp"
 
 namespace clapotis {
 
-/// Where the centres of the particles may be: left <= x <= right, bottom <= y <= top (any may be infinite) [L].
-/// At a wall the normal velocity is turned round and multiplied by e; the tangential one is kept.
+/// Where the centres of the particles may be: left <= x <= right, bottom <= y <= top (any may be infinite)
+/// [L]. At a wall the normal velocity is turned round and multiplied by e; the tangential one is kept.
 struct Walls {
   double left, right, bottom, top;
   double restitution;  ///< e, 0 to 1
@@ -16,23 +16,26 @@ struct Walls {
   [[nodiscard]] double low(int axis) const { return axis == 0 ? left : bottom; }
   [[nodiscard]] double high(int axis) const { return axis == 0 ? right : top; }
 
-  /// Brings back one particle that a step carried beyond a wall: to the wall, the velocity turned round. One that
-  /// went further than a whole box ends where its reflections put it (see `fold`). Each axis by itself, so that a
-  /// corner gives both normals once, in any order. Returns the energy lost per unit of mass, and counts folds.
+  /// Brings back one particle that a step carried beyond a wall: to the wall, the velocity turned round. One
+  /// that went further than a whole box ends where its reflections put it (see `fold`). Each axis by itself,
+  /// so that a corner gives both normals once, in any order. Returns the energy lost per unit of mass, and
+  /// counts folds.
   double clamp(Vector& r, Vector& v, double dt, long long& folded) const;
 };
 
 /// Throws BadInput when (x0, y0) is outside the walls.
 void require_inside(Parameters& p, const Walls& walls);
 
-/// One coordinate of a particle that flew freely for the time `dt` and was reflected at `low` and `high` on its way.
+/// One coordinate of a particle that flew freely for the time `dt` and was reflected at `low` and `high` on
+/// its way.
 struct Folded {
   double position, velocity;
   double impacts;  ///< how many, possibly very many
 };
 
-/// From `start` (inside) with velocity v for the time dt between two walls with restitution e, in closed form: the
-/// k-th crossing of the box takes (high - low)/(|v| e^k), a geometric series. With e = 1 only the parity counts.
+/// From `start` (inside) with velocity v for the time dt between two walls with restitution e, in closed
+/// form: the k-th crossing of the box takes (high - low)/(|v| e^k), a geometric series. With e = 1 only the
+/// parity counts.
 Folded fold(double start, double v, double dt, double low, double high, double e);
 
 /// The four walls of the window: the rim of a disc touches them. Handout, section III.
@@ -45,8 +48,8 @@ struct BoxWalls {
 };
 static_assert(Law<BoxWalls> && Settles<BoxWalls>);
 
-/// A floor that the CENTRE touches at y = 0, with side walls likewise, and no ceiling: so that the closed form of a
-/// vertical fall holds as printed.
+/// A floor that the CENTRE touches at y = 0, with side walls likewise, and no ceiling: so that the closed
+/// form of a vertical fall holds as printed.
 struct CentreFloor {
   static constexpr std::string_view name = "walls";
   Walls walls;

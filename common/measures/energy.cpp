@@ -45,8 +45,9 @@ Vector centre_of_mass(const Particles& particles) {
 }
 
 double max_speed(const Particles& particles) {
-  return particles.size() == 0 ? 0
-                               : std::sqrt(particles.velocity.square().rowwise().sum().maxCoeff<Eigen::PropagateNaN>());
+  return particles.size() == 0
+             ? 0
+             : std::sqrt(particles.velocity.square().rowwise().sum().maxCoeff<Eigen::PropagateNaN>());
 }
 
 }  // namespace clapotis

@@ -8,8 +8,8 @@ namespace clapotis {
 
 /// Neighbours by trying every particle with every other: O(n^2), and nothing to prepare.
 ///
-/// What a neighbour search gives: an order of the particles (slot -> id), and for each slot ranges [first, last) of
-/// slots that hold at least all particles within the support, itself included.
+/// What a neighbour search gives: an order of the particles (slot -> id), and for each slot ranges [first,
+/// last) of slots that hold at least all particles within the support, itself included.
 class AllPairs {
  public:
   static constexpr bool sorts = false;  ///< slot and id are the same

@@ -50,7 +50,9 @@ void CellGrid::build(const Vectors& position, double support, int /*threads*/) {
   }
   std::int32_t total = 0;
   for (auto& start : starts_) total = start = total + start;  // now the end of each cell
-  for (std::size_t i = n; i-- > 0;) order_[static_cast<std::size_t>(--starts_[static_cast<std::size_t>(cell_of_[i])])] = static_cast<std::int32_t>(i);
+  for (std::size_t i = n; i-- > 0;)
+    order_[static_cast<std::size_t>(--starts_[static_cast<std::size_t>(cell_of_[i])])] =
+        static_cast<std::int32_t>(i);
 }
 
 std::size_t CellGrid::bytes() const {

@@ -7,15 +7,17 @@
 
 namespace clapotis {
 
-/// Neighbours through a table of square cells, at least one support wide: O(n). The particles are put in the order of
-/// their cells, row after row (counting sort), so that those near a particle, in its cell and the eight around, stand
-/// in three contiguous ranges, one per row of cells. No cell has a fixed size: all particles may share one.
+/// Neighbours through a table of square cells, at least one support wide: O(n). The particles are put in the
+/// order of their cells, row after row (counting sort), so that those near a particle, in its cell and the
+/// eight around, stand in three contiguous ranges, one per row of cells. No cell has a fixed size: all
+/// particles may share one.
 class CellGrid {
  public:
   static constexpr bool sorts = true;
 
-  /// Sorts the particles into cells. The grid covers just the particles; where they are spread so thinly that cells of
-  /// one support would outnumber them, the cells grow. Particles without a finite position have no neighbours.
+  /// Sorts the particles into cells. The grid covers just the particles; where they are spread so thinly that
+  /// cells of one support would outnumber them, the cells grow. Particles without a finite position have no
+  /// neighbours.
   void build(const Vectors& position, double support, int threads);
 
   /// The particle at a place of the sorted order.
@@ -29,8 +31,8 @@ class CellGrid {
       visit(start(l * columns_ + from), start(l * columns_ + to + 1));
   }
 
-  [[nodiscard]] double cell() const { return cell_; }       ///< side of a cell [L]
-  [[nodiscard]] Vector origin() const { return origin_; }   ///< lower left corner [L]
+  [[nodiscard]] double cell() const { return cell_; }      ///< side of a cell [L]
+  [[nodiscard]] Vector origin() const { return origin_; }  ///< lower left corner [L]
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <experimental/simd>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 #include "common/particles/vec.hpp"
 
 namespace clapotis {
 
-/// As many doubles as one instruction of this machine works on: what a pair law computes with (8 with AVX-512, 4
-/// with AVX2, 2 with SSE2). It has + - * /, and min, max, sqrt, select below, but no `if` on its values.
+/// As many doubles as one instruction of this machine works on: what a pair law computes with (8 with
+/// AVX-512, 4 with AVX2, 2 with SSE2). It has + - * /, and min, max, sqrt, select below, but no `if` on its
+/// values.
 using Pack = std::experimental::native_simd<double>;
 
 inline constexpr long pack_width = static_cast<long>(Pack::size());
@@ -21,6 +25,18 @@ inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack
   Pack result = no;
   where(condition, result) = yes;
   return result;
+}
+
+/// 1/sqrt(a) for a > 0, to within 2 units in the last place. Where the machine has an estimate of 14 bits,
+/// two Newton steps, y (3 - a y^2)/2, cost a third of a square root and a division.
+inline Pack inverse_sqrt(const Pack& a) {
+#ifdef __AVX512F__
+  const auto y0 = Pack(_mm512_rsqrt14_pd(static_cast<__m512d>(a)));
+  const Pack y1 = y0 * (1.5 - 0.5 * a * y0 * y0);
+  return y1 * (1.5 - 0.5 * a * y1 * y1);
+#else
+  return 1.0 / sqrt(a);
+#endif
 }
 
 inline double sum(const Pack& a) { return std::experimental::reduce(a); }

@@ -10,8 +10,9 @@
 namespace clapotis {
 
 using Index = Eigen::Index;
-using Column = Eigen::ArrayXd;                             ///< one number per particle: n
-using Vectors = Eigen::Array<double, Eigen::Dynamic, 2>;  ///< one vector per particle: n x 2, all x then all y
+using Column = Eigen::ArrayXd;  ///< one number per particle: n
+using Vectors =
+    Eigen::Array<double, Eigen::Dynamic, 2>;  ///< one vector per particle: n x 2, all x then all y
 
 inline Vector row(const Vectors& a, Index i) { return {a(i, 0), a(i, 1)}; }
 
@@ -22,8 +23,9 @@ struct NamedColumn {
 };
 
 /// The particles of a scene, as columns (structure of arrays). A particle's id is its place, 0 to n-1.
-/// Position, velocity and acceleration always exist; `extra` holds what the laws of the scene need besides, and
-/// drives memory, CSV headers and the list of what can be coloured. Without a column "mass" all have `uniform_mass`.
+/// Position, velocity and acceleration always exist; `extra` holds what the laws of the scene need besides,
+/// and drives memory, CSV headers and the list of what can be coloured. Without a column "mass" all have
+/// `uniform_mass`.
 struct Particles {
   Particles() = default;
   /// `count` particles of `mass` each [kg], at the origin and at rest.

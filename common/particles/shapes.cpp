@@ -27,8 +27,9 @@ class Lattice {
   [[nodiscard]] Vector point(Index k) const {
     const Index two_lines = even_ + odd_, pair = k / two_lines, place = k % two_lines;
     const bool odd = place >= even_;
-    return {corner_.x + spacing_ * (odd ? static_cast<double>(place - even_) + 0.5 : static_cast<double>(place)),
-            corner_.y + spacing_ * std::sqrt(0.75) * static_cast<double>(2 * pair + (odd ? 1 : 0))};
+    return {
+        corner_.x + spacing_ * (odd ? static_cast<double>(place - even_) + 0.5 : static_cast<double>(place)),
+        corner_.y + spacing_ * std::sqrt(0.75) * static_cast<double>(2 * pair + (odd ? 1 : 0))};
   }
 
  private:
@@ -41,7 +42,8 @@ class Lattice {
 
 }  // namespace
 
-Vectors scattered_discs(Index count, double h, const Rectangle& room, std::uint64_t seed, std::string_view unit) {
+Vectors scattered_discs(Index count, double h, const Rectangle& room, std::uint64_t seed,
+                        std::string_view unit) {
   const Lattice closest(2 * h, h, room);
   if (closest.count() < count)
     throw BadInput(say(words().too_many_discs, fmt::arg("count", count), fmt::arg("radius", to_text(h)),
@@ -54,7 +56,9 @@ Vectors scattered_discs(Index count, double h, const Rectangle& room, std::uint6
   const Lattice lattice(fits, h, room);
 
   std::mt19937_64 bits(seed);
-  const auto uniform = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };  // the same on every machine
+  const auto uniform = [&] {
+    return static_cast<double>(bits() >> 11) * 0x1p-53;
+  };  // the same on every machine
   Vectors places(count, 2);
   for (Index k = 0; k < count; ++k) {
     const double angle = 2 * M_PI * uniform(), reach = lattice.play() * std::sqrt(uniform());

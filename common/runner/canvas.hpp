@@ -30,8 +30,8 @@ struct Disc {
 
 enum class Align { left, centre, right };
 
-/// What a picture is painted on: Cairo without a display, OpenGL in the window. A picture that is painted through
-/// this interface is the same in both.
+/// What a picture is painted on: Cairo without a display, OpenGL in the window. A picture that is painted
+/// through this interface is the same in both.
 class Canvas {
  public:
   virtual ~Canvas() = default;
@@ -41,7 +41,8 @@ class Canvas {
   virtual void discs(std::span<const Disc> discs) = 0;
   virtual void line(std::span<const Point> points, Colour colour, double width) = 0;
   /// `at` is the left, centre or right end of the text's baseline; `height` is the font size [pixel].
-  virtual void text(Point at, std::string_view utf8, double height, Colour colour, Align align = Align::left) = 0;
+  virtual void text(Point at, std::string_view utf8, double height, Colour colour,
+                    Align align = Align::left) = 0;
   [[nodiscard]] virtual double text_width(std::string_view utf8, double height) const = 0;
   /// What follows is painted inside `box` only, until `unclip`.
   virtual void clip(const Box& box) = 0;

@@ -15,7 +15,8 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The state of the simulation stopped being physical. The simulation stands on the last good state. Exit code 5.
+/// The state of the simulation stopped being physical. The simulation stands on the last good state. Exit
+/// code 5.
 struct Diverged : std::runtime_error {
   Diverged(const std::string& sentence, long at_step, double at_time, long of_particle)
       : std::runtime_error(sentence), step(at_step), time(at_time), particle(of_particle) {}

@@ -32,16 +32,18 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// The laws of a scene, fused: one sweep over the neighbours computes all pair laws, one pass all others. What no law
-/// needs is not there: without a pair law no neighbours are searched, without a law that dissipates nothing is summed.
-/// `Search` is AllPairs, CellGrid or NoPairs; `Mass` is UniformMass or StoredMass.
+/// The laws of a scene, fused: one sweep over the neighbours computes all pair laws, one pass all others.
+/// What no law needs is not there: without a pair law no neighbours are searched, without a law that
+/// dissipates nothing is summed. `Search` is AllPairs, CellGrid or NoPairs; `Mass` is UniformMass or
+/// StoredMass.
 template <class Search, class Mass, Law... Laws>
 class FusedModel final : public Model {
   static constexpr bool pairs = (ActsOnPair<Laws> || ...);
   static constexpr bool dissipates = (Dissipates<Laws> || ...);
-  static_assert(pairs != std::is_same_v<Search, NoPairs>,
-                "A scene with a law between pairs names its neighbour search, AllPairs or CellGrid; one without such "
-                "a law says NoPairs.");
+  static_assert(
+      pairs != std::is_same_v<Search, NoPairs>,
+      "A scene with a law between pairs names its neighbour search, AllPairs or CellGrid; one without such "
+      "a law says NoPairs.");
   struct Nothing {};
   using PairSweep = Sweep<std::conditional_t<pairs, Search, AllPairs>, Mass,
                           ((ActsOnPair<Laws> && ReadsVelocity<Laws>) || ...)>;
@@ -206,7 +208,8 @@ class FusedModel final : public Model {
       const auto all_laws = [&](Run j, const Encounter& ij) {
         Pack sum(0.0);
         each_law([&](const auto& law) {
-          if constexpr (requires { law.pair_potential(p, slot, j, ij); }) sum += law.pair_potential(p, slot, j, ij);
+          if constexpr (requires { law.pair_potential(p, slot, j, ij); })
+            sum += law.pair_potential(p, slot, j, ij);
         });
         return sum;
       };
@@ -244,13 +247,17 @@ std::vector<double> FusedModel<Search, Mass, Laws...>::law_seconds(const System&
 }
 
 template <class Search, class Mass, Law... Laws>
-std::optional<Neighbourhood> FusedModel<Search, Mass, Laws...>::neighbourhood(const Particles& particles, Index i) {
+std::optional<Neighbourhood> FusedModel<Search, Mass, Laws...>::neighbourhood(const Particles& particles,
+                                                                              Index i) {
   if constexpr (!pairs) {
     return std::nullopt;
   } else {
     sweep_.build(particles, support(), threads);
-    Neighbourhood near{.support = support(), .cell = sweep_.search.cell(), .origin = sweep_.search.origin(),
-                       .candidates = {}, .neighbours = {}};
+    Neighbourhood near{.support = support(),
+                       .cell = sweep_.search.cell(),
+                       .origin = sweep_.search.origin(),
+                       .candidates = {},
+                       .neighbours = {}};
     const Vector r = row(particles.position, i);
     sweep_.search.candidates(r, [&](Slot first, Slot last) {
       for (Slot slot = first; slot < last; ++slot) {
@@ -272,9 +279,8 @@ PairCount FusedModel<Search, Mass, Laws...>::count_pairs(const Particles& partic
     for (Slot slot = 0; slot < particles.size(); ++slot) {
       sweep_.search.candidates(sweep_.position(slot),
                                [&](Slot first, Slot last) { count.candidates += last - first; });
-      const int others = sweep_.around(slot, [&](Run, const Encounter& ij) {
-        count.neighbours += popcount(ij.distance < support());
-      });
+      const int others = sweep_.around(
+          slot, [&](Run, const Encounter& ij) { count.neighbours += popcount(ij.distance < support()); });
       count.neighbours += others;
       --count.candidates;  // itself
     }

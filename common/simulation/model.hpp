@@ -35,11 +35,11 @@ struct PhaseSeconds {
 
 /// The particles that touch or nearly touch one particle, for the eye.
 struct Neighbourhood {
-  double support = 0;              ///< beyond this distance nothing acts [L]
-  double cell = 0;                 ///< side of the cells; 0 without a grid [L]
-  Vector origin{0, 0};             ///< lower left corner of the grid
-  std::vector<Index> candidates;   ///< tested
-  std::vector<Index> neighbours;   ///< within the support
+  double support = 0;             ///< beyond this distance nothing acts [L]
+  double cell = 0;                ///< side of the cells; 0 without a grid [L]
+  Vector origin{0, 0};            ///< lower left corner of the grid
+  std::vector<Index> candidates;  ///< tested
+  std::vector<Index> neighbours;  ///< within the support
 };
 
 struct PairCount {

@@ -7,8 +7,8 @@
 
 namespace clapotis {
 
-/// Calls act(i) for i = 0..n-1, shared between threads. Each i must write only what is its own; then the result does
-/// not depend on the number of threads.
+/// Calls act(i) for i = 0..n-1, shared between threads. Each i must write only what is its own; then the
+/// result does not depend on the number of threads.
 template <class Act>
 void for_each(Index n, int threads, const Act& act) {
   if (threads == 1 || n < 256) {
@@ -22,8 +22,8 @@ void for_each(Index n, int threads, const Act& act) {
 inline constexpr Index block_size = 4096;
 inline std::size_t blocks_of(Index n) { return static_cast<std::size_t>((n + block_size - 1) / block_size); }
 
-/// Sum of term(i, block) over i = 0..n-1. Blocks of fixed size are summed by themselves and then in their order, so
-/// that the result is the same bit for bit with any number of threads.
+/// Sum of term(i, block) over i = 0..n-1. Blocks of fixed size are summed by themselves and then in their
+/// order, so that the result is the same bit for bit with any number of threads.
 template <class Term>
 double sum_over(Index n, int threads, const Term& term) {
   const auto sum_of_block = [&](Index block) {

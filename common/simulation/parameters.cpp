@@ -41,7 +41,8 @@ bool Range::contains(double value) const {
 }
 
 std::string Range::text() const {
-  const bool below = low > -std::numeric_limits<double>::max(), above = high < std::numeric_limits<double>::max();
+  const bool below = low > -std::numeric_limits<double>::max(),
+             above = high < std::numeric_limits<double>::max();
   const auto fill = [&](std::string_view sentence) {
     return say(sentence, fmt::arg("low", to_text(low)), fmt::arg("high", to_text(high)));
   };
@@ -101,14 +102,19 @@ double Parameter::parse(std::string_view text) const {
 }
 
 Parameters::Parameters(std::string length_unit, Defaults defaults, Overrides overrides)
-    : length_unit_(std::move(length_unit)), defaults_(std::move(defaults)), overrides_(std::move(overrides)) {}
+    : length_unit_(std::move(length_unit)),
+      defaults_(std::move(defaults)),
+      overrides_(std::move(overrides)) {}
 
 Parameter* Parameters::entry(std::string_view name) {
-  const auto found = std::find_if(table_.begin(), table_.end(), [&](const auto& p) { return p.name == name; });
+  const auto found =
+      std::find_if(table_.begin(), table_.end(), [&](const auto& p) { return p.name == name; });
   return found == table_.end() ? nullptr : &*found;
 }
 
-const Parameter* Parameters::find(std::string_view name) const { return const_cast<Parameters*>(this)->entry(name); }
+const Parameter* Parameters::find(std::string_view name) const {
+  return const_cast<Parameters*>(this)->entry(name);
+}
 
 Parameter& Parameters::note(Parameter p) {
   if (auto* known = entry(p.name)) return *known;
@@ -162,7 +168,8 @@ void Parameters::refuse_unknown(std::string_view name) const {
                  suggestion(name, names));
 }
 
-std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
+std::string unknown_name(std::string_view kind, std::string_view name,
+                         const std::vector<std::string>& known) {
   return say(words().unknown_name, fmt::arg("kind", kind), fmt::arg("name", name),
              fmt::arg("known", joined(known))) +
          suggestion(name, known);

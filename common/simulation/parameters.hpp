@@ -30,8 +30,8 @@ inline constexpr Range positive{.low = 0, .low_excluded = true};
 inline constexpr Range not_negative{.low = 0};
 
 /// A parameter of a scene, as written once by the law or the scene that uses it. In `unit`, L stands for the
-/// scene's unit of length (px or m). A choice has `choices` and its value is the place in that list; an integer
-/// takes whole numbers; `automatic` also takes the word "auto" (value NaN, computed by the program).
+/// scene's unit of length (px or m). A choice has `choices` and its value is the place in that list; an
+/// integer takes whole numbers; `automatic` also takes the word "auto" (value NaN, computed by the program).
 struct Parameter {
   std::string name, symbol, unit;
   double value = 0;
@@ -43,9 +43,10 @@ struct Parameter {
   bool derived = false;  ///< a result of other parameters: shown and recorded, never set
   Origin origin = Origin::law;
 
-  [[nodiscard]] std::string text() const;          ///< the value as a user would type it
-  [[nodiscard]] std::string allowed() const;       ///< the allowed values with the unit, for a sentence
-  [[nodiscard]] double parse(std::string_view text) const;  ///< throws BadInput: what, where, value, range, unit
+  [[nodiscard]] std::string text() const;     ///< the value as a user would type it
+  [[nodiscard]] std::string allowed() const;  ///< the allowed values with the unit, for a sentence
+  [[nodiscard]] double parse(
+      std::string_view text) const;  ///< throws BadInput: what, where, value, range, unit
 };
 
 /// Values given by the user, by name; not yet checked.
@@ -58,9 +59,9 @@ using Overrides = std::map<std::string, Override, std::less<>>;
 /// A scene's own defaults, by name, as a user would type them.
 using Defaults = std::map<std::string, std::string, std::less<>>;
 
-/// The parameters of one scene. They come to be by being read: a law or a scene states name, symbol, unit, default
-/// and range where it needs the value, and gets the default, the scene's own default or the user's value back.
-/// That one statement also feeds the panel, the command line, the files and the checks.
+/// The parameters of one scene. They come to be by being read: a law or a scene states name, symbol, unit,
+/// default and range where it needs the value, and gets the default, the scene's own default or the user's
+/// value back. That one statement also feeds the panel, the command line, the files and the checks.
 class Parameters {
  public:
   Parameters(std::string length_unit, Defaults defaults, Overrides overrides);
@@ -73,8 +74,8 @@ class Parameters {
   /// Notes a result of other parameters.
   void derive(Parameter p, double value);
 
-  /// Changes one value as a user would; throws BadInput for an unknown name or a value that is not allowed, and
-  /// changes nothing then.
+  /// Changes one value as a user would; throws BadInput for an unknown name or a value that is not allowed,
+  /// and changes nothing then.
   void set(std::string_view name, std::string_view text, Origin origin);
 
   /// Throws BadInput when the user named a parameter that the scene does not have.

@@ -17,7 +17,7 @@ struct Reference {
   std::string name;     ///< for example "closed form"
   std::string measure;  ///< what the error is of, for example "|y - y_exact|"
   std::string unit;
-  std::string source;   ///< author, year, or how it follows
+  std::string source;  ///< author, year, or how it follows
   /// Error of the state as it stands; NaN where the reference does not hold (any more).
   std::function<double(const System&)> error;
   /// Where the reference has the particles at time t, n x 2: drawn beside them.
@@ -39,7 +39,8 @@ struct Setup {
   bool locate_impacts = false;  ///< find each impact inside the step, instead of clamping after it
 };
 
-/// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all call it.
+/// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all
+/// call it.
 struct Scene {
   std::string name;
   std::string length_unit;  ///< "px" or "m"

@@ -30,8 +30,11 @@ struct Simulation::Checkpoint {
   LocatedImpacts::Contact contact;
 };
 
-Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::string_view integrator, int threads)
-    : scene_(scene), parameters_(scene.length_unit, scene.defaults, overrides), setup_(scene.build(parameters_)) {
+Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::string_view integrator,
+                       int threads)
+    : scene_(scene),
+      parameters_(scene.length_unit, scene.defaults, overrides),
+      setup_(scene.build(parameters_)) {
   parameters_.number(step_parameter);
   parameters_.number(cfl_parameter);
   parameters_.reject_unknown();
@@ -43,7 +46,8 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   if (dt_ > binding_limit().limit)
     warnings_.push_back(say(words().beyond_limit, fmt::arg("dt", to_text(dt_)),
                             fmt::arg("ratio", fmt::format("{:.3g}", dt_ / binding_limit().limit)),
-                            fmt::arg("limit", binding_limit().name), fmt::arg("formula", binding_limit().formula)));
+                            fmt::arg("limit", binding_limit().name),
+                            fmt::arg("formula", binding_limit().formula)));
   keep();
 }
 
@@ -51,7 +55,8 @@ Simulation::~Simulation() = default;
 
 void Simulation::use_integrator(std::string_view name) {
   auto scheme = make_integrator(name);
-  const LocatedImpacts::Contact contact = impacts_ != nullptr ? impacts_->contact() : LocatedImpacts::Contact{0, 0};
+  const LocatedImpacts::Contact contact =
+      impacts_ != nullptr ? impacts_->contact() : LocatedImpacts::Contact{0, 0};
   integrator_.reset();
   impacts_ = nullptr;
   if (setup_.locate_impacts) {
@@ -91,7 +96,8 @@ void Simulation::set(std::string_view name, std::string_view value) {
     setup_.model->refresh(parameters_);
     throw;
   }
-  if (name != step_parameter.name && name != cfl_parameter.name) setup_.reference.reset();  // it was for other values
+  if (name != step_parameter.name && name != cfl_parameter.name)
+    setup_.reference.reset();  // it was for other values
   system_->current = false;
   keep();
 }
@@ -149,11 +155,12 @@ void Simulation::check(double dt) {
                             fmt::arg("bound", fmt::format("{:.3g}", fastest_)),
                             fmt::arg("unit", scene_.length_unit + "/s"))
                       : std::string(words().diverged_nan);
-  cause += dt > limit.limit * (1 + 1e-9)
-               ? say(words().cause_limit, fmt::arg("dt", to_text(dt)),
-                     fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
-                     fmt::arg("formula", limit.formula))
-               : say(words().cause_scheme, fmt::arg("integrator", integrator_name_), fmt::arg("dt", to_text(dt)));
+  cause +=
+      dt > limit.limit * (1 + 1e-9)
+          ? say(words().cause_limit, fmt::arg("dt", to_text(dt)),
+                fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
+                fmt::arg("formula", limit.formula))
+          : say(words().cause_scheme, fmt::arg("integrator", integrator_name_), fmt::arg("dt", to_text(dt)));
   const long step = steps_;
   const double t = time();
   go_back(step - 1);

@@ -19,7 +19,8 @@ struct Cost {
   double neighbours = 0, forces = 0, integration = 0, walls = 0;
 };
 
-/// A scene that runs: the only time loop there is. Window, headless runs, tests, studies and comparisons call `step`.
+/// A scene that runs: the only time loop there is. Window, headless runs, tests, studies and comparisons call
+/// `step`.
 class Simulation {
  public:
   /// Builds the scene. Throws BadInput when a value or a name is not allowed; nothing has run then.
@@ -32,26 +33,26 @@ class Simulation {
   /// One time step, shortened when it would pass `until`. Throws Diverged, standing on the last good state.
   void step(double until = std::numeric_limits<double>::infinity());
 
-  /// Changes a live parameter while the scene runs; throws BadInput, and changes nothing then. A parameter that
-  /// needs a restart is changed by building a new Simulation from `parameters().overrides()`.
+  /// Changes a live parameter while the scene runs; throws BadInput, and changes nothing then. A parameter
+  /// that needs a restart is changed by building a new Simulation from `parameters().overrides()`.
   void set(std::string_view name, std::string_view value);
   void use_integrator(std::string_view name);
 
-  /// Calls `look` with accelerations that belong to the positions and velocities as they stand, without the walls'
-  /// reaction; what follows is as if nobody had looked.
+  /// Calls `look` with accelerations that belong to the positions and velocities as they stand, without the
+  /// walls' reaction; what follows is as if nobody had looked.
   void look(const std::function<void(const System&)>& look);
 
   [[nodiscard]] double time() const { return system_->time; }
   [[nodiscard]] long steps() const { return steps_; }
-  [[nodiscard]] double dt() const { return dt_; }                      ///< of the next step
-  [[nodiscard]] const StepLimit& binding_limit() const;                ///< that sets dt, or that dt is measured by
+  [[nodiscard]] double dt() const { return dt_; }        ///< of the next step
+  [[nodiscard]] const StepLimit& binding_limit() const;  ///< that sets dt, or that dt is measured by
   [[nodiscard]] const std::vector<StepLimit>& limits() const { return limits_; }
   [[nodiscard]] Energy energy() { return clapotis::energy(*system_); }
   /// Error against the reference; NaN without one.
   [[nodiscard]] double error() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] const Cost& cost() const { return cost_; }
-  [[nodiscard]] double sound_speed() const { return sound_speed_; }    ///< c = 10 v_max [L/s]
+  [[nodiscard]] double sound_speed() const { return sound_speed_; }  ///< c = 10 v_max [L/s]
 
   [[nodiscard]] System& system() { return *system_; }
   [[nodiscard]] const System& system() const { return *system_; }

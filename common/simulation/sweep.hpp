@@ -12,8 +12,8 @@ namespace clapotis {
 /// One particle of the sweep: its place in the sorted order.
 using Slot = Index;
 
-/// The columns that pair laws read, copied into the order of the neighbour search, so that the candidates of a
-/// particle are contiguous and a pack of them is one load. Padded by one pack of far-away particles.
+/// The columns that pair laws read, copied into the order of the neighbour search, so that the candidates of
+/// a particle are contiguous and a pack of them is one load. Padded by one pack of far-away particles.
 template <class Search, class Mass, bool with_velocity>
 class Sweep {
  public:
@@ -36,9 +36,9 @@ class Sweep {
   [[nodiscard]] const auto& view() const { return view_; }
   [[nodiscard]] Vector position(Slot i) const { return {x_(i), y_(i)}; }
 
-  /// Calls meet(j, ij) for the packs of particles that may act on the one in `slot`. Lanes that hold itself, or a
-  /// particle beyond the support, are given a distance of twice the support, where no law acts. Returns how many
-  /// others are at exactly its place; those are the caller's to deal with (`coincident`).
+  /// Calls meet(j, ij) for the packs of particles that may act on the one in `slot`. Lanes that hold itself,
+  /// or a particle beyond the support, are given a distance of twice the support, where no law acts. Returns
+  /// how many others are at exactly its place; those are the caller's to deal with (`coincident`).
   template <class Meet>
   int around(Slot slot, const Meet& meet) const {
     const Vec<Pack> r{Pack(x_(slot)), Pack(y_(slot))};
@@ -53,15 +53,15 @@ class Sweep {
         if (none_of(near)) continue;
         const auto apart = d2 > 0.0;
         at_one_point += popcount(near && !apart);
-        const Pack inverse = 1.0 / sqrt(select(near && apart, d2, Pack(4 * support2)));
+        const Pack inverse = inverse_sqrt(select(near && apart, d2, Pack(4 * support2)));
         meet(j, Encounter{d, select(near && apart, d2 * inverse, Pack(2 * support_)), inverse * d});
       }
     });
     return at_one_point;
   }
 
-  /// Calls meet(j, ij) for each other particle at exactly the place of the one in `slot`; only lane 0 counts. The
-  /// direction follows from the two ids, opposite for the other of the two.
+  /// Calls meet(j, ij) for each other particle at exactly the place of the one in `slot`; only lane 0 counts.
+  /// The direction follows from the two ids, opposite for the other of the two.
   template <class Meet>
   void coincident(Slot slot, const Meet& meet) const {
     search.candidates(position(slot), [&](Slot first, Slot last) {
@@ -76,13 +76,15 @@ class Sweep {
 
   [[nodiscard]] std::size_t bytes() const {
     return search.bytes() +
-           static_cast<std::size_t>(x_.size() + y_.size() + vx_.size() + vy_.size() + mass_.size()) * sizeof(double);
+           static_cast<std::size_t>(x_.size() + y_.size() + vx_.size() + vy_.size() + mass_.size()) *
+               sizeof(double);
   }
 
  private:
   static Vector direction_of(Index a, Index b) {
-    const double turn = 0.7548776662466927 * static_cast<double>(std::min(a, b)) +
-                        0.5698402909980532 * static_cast<double>(std::max(a, b));  // spread evenly over the circle
+    const double turn =
+        0.7548776662466927 * static_cast<double>(std::min(a, b)) +
+        0.5698402909980532 * static_cast<double>(std::max(a, b));  // spread evenly over the circle
     const double angle = 2 * M_PI * (turn - std::floor(turn));
     const double sign = a < b ? 1 : -1;
     return {sign * std::cos(angle), sign * std::sin(angle)};

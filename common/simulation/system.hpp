@@ -8,8 +8,8 @@ namespace clapotis {
 
 class Model;
 
-/// What an integrator advances: positions, velocities, and the energy the laws have dissipated, by the same scheme.
-/// y points up. `acceleration` and `dissipation` are those of the last `evaluate`.
+/// What an integrator advances: positions, velocities, and the energy the laws have dissipated, by the same
+/// scheme. y points up. `acceleration` and `dissipation` are those of the last `evaluate`.
 struct System {
   System(Particles start, Model& laws) : particles(std::move(start)), model(laws) {}
 
@@ -19,7 +19,7 @@ struct System {
   double dissipated_energy = 0;  ///< energy lost to laws and walls since the start [energy]
   double dissipation = 0;        ///< its rate, by the laws that act at every instant [energy/s]
   long force_evaluations = 0;
-  bool current = false;          ///< whether acceleration and dissipation belong to the state as it stands
+  bool current = false;  ///< whether acceleration and dissipation belong to the state as it stands
   /// Takes out of the acceleration what a wall bears; empty but for a particle that can rest on one.
   std::function<void(System&)> bear;
 

@@ -23,8 +23,9 @@ StepLimit acoustic_limit(double radius, double sound_speed, double cfl) {
 }
 
 const StepLimit& binding(const std::vector<StepLimit>& limits) {
-  return *std::min_element(limits.begin(), limits.end(),
-                           [](const auto& a, const auto& b) { return a.share * a.limit < b.share * b.limit; });
+  return *std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) {
+    return a.share * a.limit < b.share * b.limit;
+  });
 }
 
 double choose_dt(double wanted, const std::vector<StepLimit>& limits) {

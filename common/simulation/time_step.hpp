@@ -5,24 +5,28 @@
 
 namespace clapotis {
 
-/// The sound speed the course computes with: c = 10 v_max, with v_max the speed of a free fall from the top of the
-/// box added to the initial speed in energy: v_max^2 = v_0^2 + 2 g H. Handout, section III. Reads gravity and height
-/// and, where the scene has them, vx0 and vy0.
+/// The sound speed the course computes with: c = 10 v_max, with v_max the speed of a free fall from the top
+/// of the box added to the initial speed in energy: v_max^2 = v_0^2 + 2 g H. Handout, section III. Reads
+/// gravity and height and, where the scene has them, vx0 and vy0.
 double falling_sound_speed(const Parameters& p);
 
 /// tau = h/c, times cfl: a sound wave crosses at most one radius per step. Handout, section III.
 StepLimit acoustic_limit(double radius, double sound_speed, double cfl);
 
-/// What `dt` and the limits make of the next step: the number the user gave, or else the smallest share x limit.
-/// Throws BadInput when there is neither.
+/// What `dt` and the limits make of the next step: the number the user gave, or else the smallest share x
+/// limit. Throws BadInput when there is neither.
 double choose_dt(double wanted, const std::vector<StepLimit>& limits);
 
 /// The limit that sets an automatic step: the smallest share x limit.
 const StepLimit& binding(const std::vector<StepLimit>& limits);
 
-inline const Parameter step_parameter{.name = "dt", .symbol = "dt", .unit = "s",
-                                      .value = std::numeric_limits<double>::quiet_NaN(), .range = positive,
+inline const Parameter step_parameter{.name = "dt",
+                                      .symbol = "dt",
+                                      .unit = "s",
+                                      .value = std::numeric_limits<double>::quiet_NaN(),
+                                      .range = positive,
                                       .automatic = true};
-inline const Parameter cfl_parameter{.name = "cfl", .symbol = "CFL", .unit = "", .value = 1, .range = positive};
+inline const Parameter cfl_parameter{
+    .name = "cfl", .symbol = "CFL", .unit = "", .value = 1, .range = positive};
 
 }  // namespace clapotis
