@@ -1,0 +1,19 @@
+#pragma once
+
+#include "common/runner/canvas.hpp"
+
+namespace clapotis {
+
+enum class ColourMap {
+  viridis  ///< dark blue to yellow; its lightness grows evenly, so it also reads in grey and for the
+           ///< colour-blind
+};
+
+/// The colour of `value01`: 0 is the map's dark end, 1 its light end; values outside take the end's colour.
+/// NaN is `not_a_number`, which no map contains.
+[[nodiscard]] Colour at(ColourMap map, double value01);
+
+/// Magenta: a diverged particle must be seen.
+inline constexpr Colour not_a_number{1.0F, 0.0F, 1.0F};
+
+}  // namespace clapotis

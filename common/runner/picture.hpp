@@ -1,0 +1,91 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/runner/canvas.hpp"
+#include "common/runner/colour_map.hpp"
+
+namespace clapotis {
+
+/// What the colours of the discs mean: `lo` has the map's first colour, `hi` its last.
+struct ColourScale {
+  std::string label;  ///< "|v|"
+  std::string unit;   ///< "px/s"; empty for a pure number
+  double lo = 0, hi = 1;
+  ColourMap map = ColourMap::viridis;
+};
+
+/// Which sides of the domain are solid.
+struct SolidSides {
+  bool left = false, right = false, bottom = false, top = false;
+};
+
+/// Where the reference solution has the particles.
+struct Ghosts {
+  Eigen::ArrayXd x, y;  ///< [length unit]
+  std::string label;    ///< "closed form"
+};
+
+/// One particle, chosen by the user, and who is near it.
+struct Chosen {
+  Eigen::Index particle = 0;
+  std::vector<Eigen::Index> neighbours;
+  double support = 0;  ///< radius within which particles act on each other [length unit]
+  std::string label;   ///< "particle 17: 20 neighbours"
+};
+
+/// What is to be seen, apart from how a simulation found it: plain data in the scene's unit of length, y up.
+/// The words come from the caller, in the caller's language.
+struct Picture {
+  std::string title;                        ///< "Stage 2 - Cloud"
+  std::string subtitle;                     ///< "t = 1.234 s   dt = 2.0e-4 s   N = 500"
+  Eigen::Array2d lower{0, 0}, upper{1, 1};  ///< corners of the domain [length unit]
+  std::string length_unit;                  ///< "px", "m"
+  SolidSides walls;
+  Eigen::ArrayXd x, y;   ///< one per particle [length unit]; a particle at NaN or infinity is not painted
+  double radius = 0;     ///< of every particle and ghost [length unit]
+  Eigen::ArrayXd value;  ///< one per particle [colours.unit], or empty: one calm colour and no legend
+  ColourScale colours;
+  std::optional<Ghosts> ghosts;
+  std::optional<double>
+      cell;  ///< side of the square cells of the neighbour search, from `lower` on [length unit]
+  std::optional<Chosen> chosen;
+  std::string note;  ///< "error of y: 1.2e-6 m (closed form)"
+};
+
+/// From the world to the canvas: which piece of the world is seen where.
+struct PictureView {
+  Box area;          ///< the whole picture: title and legend, then the scene, then ruler and note [pixel]
+  Box scene;         ///< its middle part, the only one that shows the world [pixel]
+  double scale = 1;  ///< of texts and lines; 1 suits 1280 x 720
+  Eigen::Vector2d centre{0, 0};  ///< the point of the world in the middle of the scene [length unit]
+  double pixels_per_unit = 1;    ///< the same along x and y
+
+  [[nodiscard]] Point to_pixel(double x, double y) const;
+  [[nodiscard]] Eigen::Vector2d to_world(Point pixel) const;
+};
+
+/// The view that shows the whole domain and its walls, as large as `area` allows.
+[[nodiscard]] PictureView fit(const Picture& picture, const Box& area, double scale = 1);
+
+/// Paints pictures; keeps its lists from one to the next, so that a window allocates nothing per frame.
+class Painter {
+ public:
+  /// Fills `view.area`. All particles are one call of `Canvas::discs`, the first of the picture.
+  /// Throws std::invalid_argument when x, y, value, ghosts or chosen do not have matching sizes.
+  void paint(Canvas& canvas, const Picture& picture, const PictureView& view);
+
+ private:
+  void paint_scene(Canvas& canvas, const Picture& picture, const PictureView& view);
+  void paint_cells(Canvas& canvas, const Picture& picture, const PictureView& view);
+  void paint_particles(Canvas& canvas, const Picture& picture, const PictureView& view);
+  void paint_marks(Canvas& canvas, const Picture& picture, const PictureView& view);
+
+  std::vector<Disc> discs_;
+  std::vector<Point> points_;
+};
+
+}  // namespace clapotis

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "common/runner/picture.hpp"
+#include "common/runner/plot.hpp"
+
+namespace clapotis {
+
+/// A whole sheet, as large as the canvas: the picture, and below it the plots side by side.
+void paint_sheet(Canvas& canvas, const Picture& picture, std::span<const Plot> plots = {});
+
+/// Two pictures side by side above the plots they share.
+void paint_sheet(Canvas& canvas, const Picture& left, const Picture& right, std::span<const Plot> plots = {});
+
+/// Paints a sheet into a PNG, SVG or PDF file; see CairoCanvas for what it throws.
+void write_sheet(const std::filesystem::path& file, const Picture& picture, std::span<const Plot> plots = {},
+                 Point size = {1280, 720});
+void write_sheet(const std::filesystem::path& file, const Picture& left, const Picture& right,
+                 std::span<const Plot> plots = {}, Point size = {1280, 720});
+
+}  // namespace clapotis

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace clapotis {
+
+/// Round values first, first + step, ... (count of them): what an axis, a colour bar or a ruler is marked
+/// with.
+struct Ticks {
+  double first = 0, step = 1;
+  int count = 0;
+  [[nodiscard]] double operator[](int k) const;
+};
+
+/// As many multiples of 1, 2, 2.5 or 5 times a power of ten as lie in [lo, hi], at most `at_most` (>= 3) and
+/// at least 3 when `at_most` is 5 or more. A range that is empty or not finite has no ticks.
+[[nodiscard]] Ticks nice_ticks(double lo, double hi, int at_most = 5);
+
+/// The largest of 1, 2 or 5 times a power of ten that is not above `length` (> 0).
+[[nodiscard]] double nice_length(double length);
+
+/// `value` with the decimals that tell it from value + step: "0.15", "200", "3e-6". Always a dot, whatever
+/// the locale.
+[[nodiscard]] std::string tick_label(double value, double step);
+
+}  // namespace clapotis
