@@ -8,20 +8,49 @@
 namespace clapotis {
 namespace {
 
-constexpr double strip_share = 0.29;  ///< of the sheet's height, for the plots
+constexpr double strip_share = 0.29;   ///< of the sheet's height, for plots below the scene
+constexpr double column_share = 0.38;  ///< of the sheet's width, for plots beside it
 
 double scale_of(Point size) { return std::min(size.x / 1280, size.y / 720); }
 
-/// What remains of the sheet for the scene.
-Box paint_strip(Canvas& canvas, std::span<const Plot> plots) {
-  const Point size = canvas.size();
-  const double scale = scale_of(size), height = plots.empty() ? 0 : strip_share * size.y;
-  const double top = size.y - height, width = size.x / std::max(1.0, double(plots.size()));
-  canvas.rectangle({{0, 0}, size}, ink::sheet);
-  for (std::size_t k = 0; k < plots.size(); ++k) {
-    paint(canvas, plots[k], {{double(k) * width, top}, {width, height}}, scale);
+/// A sheet cut in two: the scene, and its plots in a strip below or in a column to the right.
+struct Layout {
+  Box scene;
+  Box plots;
+  bool column;
+
+  [[nodiscard]] Box plot(std::size_t k, std::size_t count) const {
+    const double share = 1 / static_cast<double>(count), at = static_cast<double>(k) * share;
+    const auto [corner, extent] = plots;
+    return column ? Box{{corner.x, corner.y + at * extent.y}, {extent.x, share * extent.y}}
+                  : Box{{corner.x + at * extent.x, corner.y}, {share * extent.x, extent.y}};
   }
-  return {{0, 0}, {size.x, top}};
+};
+
+Layout plots_below(Point size, bool any) {
+  const double top = any ? (1 - strip_share) * size.y : size.y;
+  return {.scene = {{0, 0}, {size.x, top}}, .plots = {{0, top}, {size.x, size.y - top}}, .column = false};
+}
+
+Layout plots_beside(Point size) {
+  const double left = (1 - column_share) * size.x;
+  return {.scene = {{0, 0}, {left, size.y}}, .plots = {{left, 0}, {size.x - left, size.y}}, .column = true};
+}
+
+/// Where the scene is larger.
+Layout best_layout(const Picture& picture, Point size, bool any_plots) {
+  const auto below = plots_below(size, any_plots), beside = plots_beside(size);
+  if (!any_plots) return below;
+  const auto zoom = [&](const Layout& layout) {
+    return fit(picture, layout.scene, scale_of(size)).pixels_per_unit;
+  };
+  return zoom(beside) > zoom(below) ? beside : below;
+}
+
+void paint_plots(Canvas& canvas, const Layout& layout, std::span<const Plot> plots) {
+  canvas.rectangle({{0, 0}, canvas.size()}, ink::sheet);
+  for (std::size_t k = 0; k < plots.size(); ++k)
+    paint(canvas, plots[k], layout.plot(k, plots.size()), scale_of(canvas.size()));
 }
 
 void paint_into(Canvas& canvas, const Picture& picture, const Box& area) {
@@ -31,11 +60,15 @@ void paint_into(Canvas& canvas, const Picture& picture, const Box& area) {
 }  // namespace
 
 void paint_sheet(Canvas& canvas, const Picture& picture, std::span<const Plot> plots) {
-  paint_into(canvas, picture, paint_strip(canvas, plots));
+  const auto layout = best_layout(picture, canvas.size(), !plots.empty());
+  paint_plots(canvas, layout, plots);
+  paint_into(canvas, picture, layout.scene);
 }
 
 void paint_sheet(Canvas& canvas, const Picture& left, const Picture& right, std::span<const Plot> plots) {
-  const Box both = paint_strip(canvas, plots);
+  const auto layout = plots_below(canvas.size(), !plots.empty());
+  paint_plots(canvas, layout, plots);
+  const Box both = layout.scene;
   const double half = both.extent.x / 2;
   paint_into(canvas, left, {both.corner, {half, both.extent.y}});
   paint_into(canvas, right, {{both.corner.x + half, both.corner.y}, {half, both.extent.y}});
