@@ -44,6 +44,94 @@ constexpr Words english{
     .warn_folded =
         "{count} times a particle crossed the box more often in one step than is followed; its "
         "reflections were counted instead",
+    .unknown_option = "there is no option {option}, --help lists them all{hint}",
+    .option_is_parameter = "there is no option {option}; for the parameter, write --set {name}=VALUE",
+    .option_needs_value = "{option} needs a value",
+    .option_takes_no_value = "{option} takes no value",
+    .one_scene_at_a_time = "one scene at a time: {first}, or {second}?",
+    .set_without_equals = "--set {text} lacks its value: write --set NAME=VALUE",
+    .empty_value = "{option} needs a name, not an empty word",
+    .no_seed = "scene {scene} leaves nothing to chance: --seed has no meaning here",
+    .environment_ignored = "{variable} is ignored: scene {scene} has no such parameter{hint}",
+    .needs_headless = "{option} is for a run without a window: add --headless",
+    .picture_extension = "--picture {file}: the name must end in .png, .svg or .pdf",
+    .config_unknown_key = "{file}: there is no key {key}{hint}",
+    .config_wrong_kind = "{file}: {key} cannot be {value}",
+    .config_no_value = "{file}: {key} has no value",
+    .config_key_twice = "{file}: {key} is given twice",
+    .config_not_json = "{file}, line {line}: this is not JSON: {reason}",
+    .config_other_stage = "{file} is of {other}, and this program is {stage}",
+    .cannot_read = "cannot read {file}: {reason}",
+    .cannot_write = "cannot write {file}: {reason}",
+    .folder_exists =
+        "{folder} exists and is not empty: choose another --out, or --force to replace an earlier run",
+    .not_a_folder = "{folder} exists and is not a folder",
+    .not_a_run_folder =
+        "{folder} holds no {mark}, so it is not the folder of an earlier run: --force does not touch it",
+    .no_display = "there is no display to open a window on: run {name} --headless, or set DISPLAY",
+    .interrupted = "interrupted; what was computed so far is kept",
+    .no_memory = "not enough memory: take fewer particles",
+    .own_fault = "a fault of the program itself: {what}",
+    .progress = "{percent} %, t = {time} s, {left} left",
+    .summary_run =
+        "{folder}: {reason} at t = {time} s\n"
+        "  steps     {steps} of {dt} s with {integrator}, N = {particles}\n",
+    .summary_cost =
+        "  cost      {cpu} of processor time, {step} per step, {rate} particle updates per second\n",
+    .summary_energy =
+        "  energy    mechanical {start} to {end} {unit}; total drifts by {drift} of its start\n",
+    .summary_error = "  error     {measure} = {error} {unit} at the end, {largest} at most ({reference})\n",
+    .summary_warning = "  warning   {warning}\n",
+    .stopped_done = "done",
+    .stopped_interrupted = "interrupted",
+    .stopped_diverged = "diverged; this is the last good state,",
+    .column_name = "name",
+    .column_symbol = "symbol",
+    .column_unit = "unit",
+    .column_default = "default",
+    .column_range = "range",
+    .column_change = "change",
+    .column_meaning = "meaning",
+    .plot_energies = "Energies",
+    .plot_error = "Error against {reference}",
+    .kinetic = "kinetic",
+    .potential = "potential",
+    .elastic = "elastic",
+    .mechanical = "mechanical",
+    .total = "with what was lost",
+    .chosen_particle = "particle {id}: {count} neighbours",
+    .help_scene = "the scene, by name; the first one otherwise",
+    .help_headless = "no window; leaves a run folder and prints a summary",
+    .help_until = "stop at this simulated time [s]; 5 when neither --until nor --steps is given",
+    .help_steps = "stop after so many steps",
+    .help_set = "a parameter; may be repeated, of one name the last counts",
+    .help_config = "values from a file, or from the run.json of an earlier run, which it repeats",
+    .help_print_config = "print every value, its unit and where it comes from, and end",
+    .help_integrator = "the scheme: see --list integrators",
+    .help_seed = "short for --set seed=N",
+    .help_threads = "1 to 1024; results do not depend on it",
+    .help_out = "the run folder; runs/STAGE-SCENE-DATE otherwise",
+    .help_force = "replace the earlier run in --out",
+    .help_every =
+        "simulated time between two rows of series.csv [s]; by default each step of a short run, 500 rows of "
+        "a "
+        "long one",
+    .help_frames = "also write all particles to frames/NNNN.csv at this interval [s]",
+    .help_picture = "also write a picture here, .png, .svg or .pdf",
+    .help_list = "print scenes, parameters or integrators, and end",
+    .help_json = "print run.json (or the list) for a program to read",
+    .help_quiet = "print nothing but errors",
+    .help_paused = "open the window at rest",
+    .help_scale = "size of the window's letters, 0.25 to 8",
+    .help_version = "print the version, and end",
+    .help_help = "print this, and end",
+    .help_epilogue =
+        "Scenes: {scenes}\n\n"
+        "A value comes from --set and the other options, or else from the environment (CLAPOTIS_GRAVITY=3),\n"
+        "or else from the file of --config, or else from the scene. Decimals have a dot.\n\n"
+        "Exit codes: 0 done, 1 a check failed, 2 usage or bad parameter, 3 no display, 4 input or output,\n"
+        "5 diverged, 130 interrupted (what was computed is kept).\n\n"
+        "Example: {stage} {scene} --headless --until 2 --set gravity=3 --out runs/moon",
 };
 
 const std::map<std::string_view, std::string_view>& meanings() {

@@ -19,6 +19,26 @@ struct Words {
   // what a run says
   std::string_view diverged, diverged_speed, diverged_nan, cause_limit, cause_scheme, beyond_limit,
       warn_coincident, warn_folded;
+  // runner: what a command line or a file gives and cannot be used
+  std::string_view unknown_option, option_is_parameter, option_needs_value, option_takes_no_value,
+      one_scene_at_a_time, set_without_equals, empty_value, no_seed, environment_ignored, needs_headless,
+      picture_extension, config_unknown_key, config_wrong_kind, config_no_value, config_key_twice,
+      config_not_json, config_other_stage;
+  // runner: files, displays, ends
+  std::string_view cannot_read, cannot_write, folder_exists, not_a_folder, not_a_run_folder, no_display,
+      interrupted, no_memory, own_fault;
+  // runner: what a run prints
+  std::string_view progress, summary_run, summary_cost, summary_energy, summary_error, summary_warning,
+      stopped_done, stopped_interrupted, stopped_diverged;
+  // runner: tables, plots, pictures
+  std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
+      column_meaning, plot_energies, plot_error, kinetic, potential, elastic, mechanical, total,
+      chosen_particle;
+  // runner: help
+  std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
+      help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
+      help_frames, help_picture, help_list, help_json, help_quiet, help_paused, help_scale, help_version,
+      help_help, help_epilogue;
 };
 
 /// The words of the language in use.

@@ -195,6 +195,9 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
       best = name;
     }
   }
+  if (!best.empty() || word.size() < 3) return best;
+  for (const auto& name : names)  // "verlet" is far from "velocity_verlet", and yet
+    if (name.find(word) != std::string::npos) return name;
   return best;
 }
 

@@ -100,7 +100,8 @@ class Parameters {
   std::deque<Parameter> table_;
 };
 
-/// The name in `names` that is the fewest edits away from `word`; empty when none is near.
+/// The name in `names` that is the fewest edits away from `word`, or that contains it; empty when none is
+/// near.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
 /// "there is no KIND NAME; there is: ...", with the nearest of the known names.

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/simulation/scene.hpp"
+
+namespace clapotis {
+
+/// The words of a command line, sorted but not yet understood.
+struct Arguments {
+  std::map<std::string, std::string, std::less<>>
+      settings;                                    ///< scene, integrator, threads, seed, until, out, ...
+  std::vector<std::string> set;                    ///< NAME=VALUE, in their order
+  std::map<std::string, bool, std::less<>> flags;  ///< headless, json, quiet, ...
+  std::vector<std::string> unknown;                ///< what no option takes
+  std::string help;                                ///< what --help prints
+  std::vector<std::string> options;                ///< all there are: "--headless", ...
+};
+
+/// Throws BadInput for an option that lacks its value.
+Arguments sort_arguments(const Stage& stage, int argc, const char* const* argv);
+
+}  // namespace clapotis

@@ -1,0 +1,79 @@
+#include "common/runner/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/runner/series.hpp"
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+Curve curve(const std::vector<Sample>& samples, std::string_view label, std::size_t colour,
+            double (*value)(const Sample&)) {
+  Curve c;
+  c.label = label;
+  c.colour = curve_colours[colour];
+  for (const auto& sample : samples) {
+    c.xs.push_back(sample.time);
+    c.ys.push_back(value(sample));
+  }
+  return c;
+}
+
+Plot energy_plot(const std::vector<Sample>& samples, const Simulation& simulation) {
+  const auto& w = words();
+  const auto& length = simulation.scene().length_unit;
+  Plot plot;
+  plot.title = w.plot_energies;
+  plot.x_label = "t [s]";
+  plot.y_label = "E [" + (length == "m" ? "J" : with_length("kg L²/s²", length)) + "]";
+  plot.curves.push_back(curve(samples, w.kinetic, 0, [](const Sample& s) { return s.energy.kinetic; }));
+  plot.curves.push_back(curve(samples, w.potential, 2, [](const Sample& s) { return s.energy.potential; }));
+  if (simulation.model().has_pairs())
+    plot.curves.push_back(curve(samples, w.elastic, 3, [](const Sample& s) { return s.energy.elastic; }));
+  plot.curves.push_back(
+      curve(samples, w.mechanical, 1, [](const Sample& s) { return s.energy.mechanical(); }));
+  plot.curves.push_back(curve(samples, w.total, 5, [](const Sample& s) { return s.energy.total(); }));
+  plot.curves.back().dashed = true;
+  return plot;
+}
+
+Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) {
+  Plot plot;
+  plot.title = say(words().plot_error, fmt::arg("reference", reference.name));
+  plot.x_label = "t [s]";
+  plot.y_label = reference.measure + " [" + reference.unit + "]";
+  plot.curves.push_back(curve(samples, reference.measure, 1, [](const Sample& s) { return s.error; }));
+  plot.log_y = true;
+  return plot;
+}
+
+}  // namespace
+
+void History::add(Simulation& simulation) {
+  latest_ = {simulation.time(), simulation.energy(), simulation.error(), max_speed(simulation.particles())};
+  largest_error_ = std::fmax(largest_error_, latest_.error);
+  largest_speed_ = std::fmax(largest_speed_, latest_.max_speed);
+  if (count_++ % stride_ != 0) return;
+  kept_.push_back(latest_);
+  if (kept_.size() < most) return;
+  for (std::size_t k = 0; 2 * k < kept_.size(); ++k) kept_[k] = kept_[2 * k];
+  kept_.resize((kept_.size() + 1) / 2);
+  stride_ *= 2;
+}
+
+std::vector<Sample> History::samples() const {
+  auto all = kept_;
+  if (!all.empty() && all.back().time < latest_.time) all.push_back(latest_);
+  return all;
+}
+
+std::vector<Plot> plots(const History& history, const Simulation& simulation) {
+  const auto samples = history.samples();
+  std::vector<Plot> all{energy_plot(samples, simulation)};
+  if (const auto& reference = simulation.setup().reference) all.push_back(error_plot(samples, *reference));
+  return all;
+}
+
+}  // namespace clapotis

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "common/runner/plot.hpp"
+#include "common/simulation/simulation.hpp"
+
+namespace clapotis {
+
+/// One instant of a run, for the plots.
+struct Sample {
+  double time = 0;  ///< [s]
+  Energy energy;
+  double error = std::numeric_limits<double>::quiet_NaN();
+  double max_speed = 0;  ///< [L/s]
+};
+
+/// A run's energies and error over time, in bounded memory: when it is full, every second sample goes, and
+/// from then on only every second one comes. Shared by the window and by headless runs.
+class History {
+ public:
+  void add(Simulation& simulation);
+  void clear() { *this = {}; }
+
+  /// The samples kept, and always the latest one; time grows.
+  [[nodiscard]] std::vector<Sample> samples() const;
+  /// Of all samples that ever came, also those no longer kept; NaN without a reference.
+  [[nodiscard]] double largest_error() const { return largest_error_; }
+  [[nodiscard]] double largest_speed() const { return largest_speed_; }
+
+ private:
+  static constexpr std::size_t most = 4096;
+  std::vector<Sample> kept_;
+  Sample latest_;
+  long count_ = 0, stride_ = 1;
+  double largest_error_ = std::numeric_limits<double>::quiet_NaN(), largest_speed_ = 0;
+};
+
+/// The energies over time, and beside them the error when the scene has a reference.
+std::vector<Plot> plots(const History& history, const Simulation& simulation);
+
+}  // namespace clapotis

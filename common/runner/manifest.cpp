@@ -1,0 +1,151 @@
+#include "common/runner/manifest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "common/runner/machine.hpp"
+#include "common/runner/parameter_json.hpp"
+#include "common/runner/particle_table.hpp"
+#include "common/runner/series.hpp"
+
+namespace clapotis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json energy_json(const Energy& e) {
+  return {{"kinetic", or_null(e.kinetic)},       {"potential", or_null(e.potential)},
+          {"elastic", or_null(e.elastic)},       {"mechanical", or_null(e.mechanical())},
+          {"dissipated", or_null(e.dissipated)}, {"total", or_null(e.total())}};
+}
+
+/// How often each law is timed alone: once where an evaluation takes long already.
+int repetitions(const Simulation& s) {
+  const auto& cost = s.cost();
+  const double per_step = (cost.neighbours + cost.forces) / static_cast<double>(std::max(1L, s.steps()));
+  return per_step > 0.05 ? 1 : 9;
+}
+
+Json cost_json(Simulation& s, bool is_over) {
+  const auto& c = s.cost();
+  Json phases{
+      {"neighbours", c.neighbours}, {"forces", c.forces}, {"integration", c.integration}, {"walls", c.walls}};
+  Json laws = Json::object();
+  if (is_over) {
+    const auto names = s.model().laws();
+    const auto seconds = s.model().law_seconds(s.system(), repetitions(s));
+    for (std::size_t k = 0; k < names.size() && k < seconds.size(); ++k) laws[names[k]] = seconds[k];
+  }
+  return {{"phases", phases}, {"one_evaluation_of_each_law", laws}};
+}
+
+Json reference_json(const Simulation& s, const RunResult& result) {
+  const auto& reference = s.setup().reference;
+  if (!reference) return nullptr;
+  return {{"name", reference->name},     {"measure", reference->measure},
+          {"error", or_null(s.error())}, {"largest_error", or_null(result.largest_error)},
+          {"unit", reference->unit},     {"source", reference->source}};
+}
+
+Json units_json(const Simulation& s) {
+  const auto& length = s.scene().length_unit;
+  Json series = Json::object();
+  for (const auto& column : series_columns()) {
+    if (!column.has_meaning(s)) continue;
+    const auto unit = column.unit == "error" ? s.setup().reference->unit : with_length(column.unit, length);
+    series[column.name] = unit;
+  }
+  return {{"series.csv", series},
+          {"final.csv", particle_units(s)},
+          {"energy", with_length("kg L^2/s^2", length)},
+          {"cost", "s"},
+          {"particle_updates_per_second", "1/s of cpu_seconds"}};
+}
+
+Json seed_json(const Parameters& parameters) {
+  const auto* seed = parameters.find("seed");
+  return seed == nullptr ? Json(nullptr) : json_value(*seed);
+}
+
+double updates_per_second(const Simulation& s, double cpu_seconds) {
+  return static_cast<double>(s.particles().size()) * static_cast<double>(s.steps()) / cpu_seconds;
+}
+
+}  // namespace
+
+std::string_view name_of(StopReason reason) {
+  static constexpr std::array<std::string_view, 5> names{"running", "until", "steps", "interrupted",
+                                                         "diverged"};
+  return names[static_cast<std::size_t>(reason)];
+}
+
+const std::vector<std::string>& result_keys() {
+  static const std::vector<std::string> keys{"version",
+                                             "compiler",
+                                             "cpu",
+                                             "stop",
+                                             "force_evaluations",
+                                             "simulated_seconds",
+                                             "wall_seconds",
+                                             "cpu_seconds",
+                                             "particle_updates_per_second",
+                                             "particles",
+                                             "cost",
+                                             "bytes_per_particle",
+                                             "energy",
+                                             "peak_memory_bytes",
+                                             "reference",
+                                             "units",
+                                             "stop_reason",
+                                             "stop_message",
+                                             "warnings"};
+  return keys;
+}
+
+std::string version() { return "Clapotis " CLAPOTIS_VERSION; }
+
+std::string run_manifest(const Stage& stage, const Options& options, Simulation& s, const RunResult& result) {
+  const bool is_over = result.reason != StopReason::running;
+  Json run;
+  run["stage"] = stage.name;
+  run["scene"] = s.scene().name;
+  run["parameters"] = parameters_json(s.parameters());
+  run["integrator"] = s.integrator();
+  run["seed"] = seed_json(s.parameters());
+  run["threads"] = s.threads();
+  run["version"] = version();
+  run["compiler"] = compiler();
+  run["cpu"] = processor();
+  run["stop"] = {{"until", options.until ? Json(options.until->value) : Json(nullptr)},
+                 {"steps", options.steps ? Json(options.steps->value) : Json(nullptr)}};
+  run["every"] = or_null(options.every);
+  run["frames"] = or_null(options.frames);
+  run["particles"] = s.particles().size();
+  run["steps"] = s.steps();
+  run["force_evaluations"] = s.system().force_evaluations;
+  run["simulated_seconds"] = s.time();
+  run["wall_seconds"] = result.wall_seconds;
+  run["cpu_seconds"] = result.cpu_seconds;
+  run["particle_updates_per_second"] = or_null(updates_per_second(s, result.cpu_seconds));
+  run["cost"] = cost_json(s, is_over);
+  run["bytes_per_particle"] = s.bytes_per_particle();
+  run["peak_memory_bytes"] = peak_memory_bytes();
+  run["energy"] = {{"start", energy_json(result.start)}, {"end", energy_json(result.end)}};
+  run["reference"] = reference_json(s, result);
+  run["stop_reason"] = name_of(result.reason);
+  run["stop_message"] = result.divergence;
+  run["units"] = units_json(s);
+  run["warnings"] = result.warnings;
+  return run.dump(2) + "\n";
+}
+
+}  // namespace clapotis

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "common/runner/picture.hpp"
+#include "common/runner/plot.hpp"
+
+namespace clapotis {
+
+/// write_sheet, whose failures become FileError.
+void save_sheet(const std::filesystem::path& file, const Picture& picture, std::span<const Plot> plots);
+void save_sheet(const std::filesystem::path& file, const Picture& left, const Picture& right,
+                std::span<const Plot> plots);
+
+}  // namespace clapotis

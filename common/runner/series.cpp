@@ -1,0 +1,92 @@
+#include "common/runner/series.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/runner/stopwatch.hpp"
+
+namespace clapotis {
+namespace {
+
+constexpr double seconds_between_flushes = 1;
+
+constexpr bool always(const Simulation&) { return true; }
+bool has_springs(const Simulation& s) { return s.model().has_pairs(); }
+bool has_reference(const Simulation& s) { return s.setup().reference.has_value(); }
+bool has_sound(const Simulation& s) { return s.sound_speed() > 0 && s.setup().radius > 0; }
+
+constexpr std::array all_columns{
+    SeriesColumn{"t", "s", [](const Moment& m) { return m.simulation.time(); }, always},
+    SeriesColumn{"dt", "s", [](const Moment& m) { return m.simulation.dt(); }, always},
+    SeriesColumn{"step", "1", [](const Moment& m) { return static_cast<double>(m.simulation.steps()); },
+                 always},
+    SeriesColumn{"particles", "1",
+                 [](const Moment& m) { return static_cast<double>(m.simulation.particles().size()); },
+                 always},
+    SeriesColumn{"kinetic_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.kinetic; }, always},
+    SeriesColumn{"potential_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.potential; },
+                 always},
+    SeriesColumn{"elastic_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.elastic; },
+                 has_springs},
+    SeriesColumn{"mechanical_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.mechanical(); },
+                 always},
+    SeriesColumn{"dissipated_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.dissipated; },
+                 always},
+    SeriesColumn{"total_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.total(); }, always},
+    SeriesColumn{"momentum_x", "kg L/s", [](const Moment& m) { return momentum(m.simulation.particles()).x; },
+                 always},
+    SeriesColumn{"momentum_y", "kg L/s", [](const Moment& m) { return momentum(m.simulation.particles()).y; },
+                 always},
+    SeriesColumn{"centre_x", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).x; },
+                 always},
+    SeriesColumn{"centre_y", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).y; },
+                 always},
+    SeriesColumn{"max_speed", "L/s", [](const Moment& m) { return max_speed(m.simulation.particles()); },
+                 always},
+    SeriesColumn{"cfl", "1",
+                 [](const Moment& m) {
+                   return m.simulation.dt() * m.simulation.sound_speed() / m.simulation.setup().radius;
+                 },
+                 has_sound},
+    SeriesColumn{"error", "error", [](const Moment& m) { return m.simulation.error(); }, has_reference},
+};
+
+}  // namespace
+
+std::span<const SeriesColumn> series_columns() { return all_columns; }
+
+std::string with_length(std::string_view unit, std::string_view length_unit) {
+  std::string text;
+  for (const char letter : unit) {
+    if (letter == 'L') {
+      text += length_unit;
+    } else {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+Series::Series(const std::filesystem::path& file, const Simulation& simulation)
+    : file_(file, Unfinished::keep), last_flush_(wall_seconds()) {
+  for (const auto& column : all_columns)
+    if (column.has_meaning(simulation)) columns_.push_back(column);
+  std::string header;
+  for (const auto& column : columns_) header += (header.empty() ? "" : ",") + std::string(column.name);
+  file_.write(header + "\n");
+}
+
+void Series::add(const Moment& moment) {
+  std::string row;
+  for (const auto& column : columns_) {
+    const double value = column.value(moment);
+    row += (row.empty() ? "" : ",") + (std::isnan(value) ? "nan" : to_text(value));
+  }
+  file_.write(row + "\n");
+  if (wall_seconds() - last_flush_ < seconds_between_flushes) return;
+  file_.flush();
+  last_flush_ = wall_seconds();
+}
+
+}  // namespace clapotis

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/runner/atomic_file.hpp"
+#include "common/simulation/simulation.hpp"
+
+namespace clapotis {
+
+/// What a row of the series is computed from: the simulation as it stands, its energies counted once.
+struct Moment {
+  explicit Moment(Simulation& s) : simulation(s), energy(s.energy()) {}
+  Simulation& simulation;
+  Energy energy;
+};
+
+/// A column of series.csv. In `unit`, L stands for the scene's unit of length; a pure number has "1".
+struct SeriesColumn {
+  std::string_view name, unit;
+  double (*value)(const Moment&);
+  bool (*has_meaning)(const Simulation&);  ///< a column without meaning in the scene is absent
+};
+
+/// All columns there are: drives the header, the units in run.json and the documentation.
+std::span<const SeriesColumn> series_columns();
+
+/// series.csv of one run. What was computed so far reaches the disk about once a second, as series.csv.part.
+class Series {
+ public:
+  Series(const std::filesystem::path& file, const Simulation& simulation);
+  void add(const Moment& moment);
+  void close() { file_.commit(); }
+
+  [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
+
+ private:
+  AtomicFile file_;
+  std::vector<SeriesColumn> columns_;
+  double last_flush_ = 0;
+};
+
+/// `unit` with the scene's unit of length in the place of L.
+std::string with_length(std::string_view unit, std::string_view length_unit);
+
+}  // namespace clapotis

@@ -1,0 +1,4 @@
+#include "common/runner/run_stage.hpp"
+#include "stage2_cloud/scenes.hpp"
+
+int main(int argc, char** argv) { return clapotis::run_stage(clapotis::stage2::stage(), argc, argv); }
