@@ -21,7 +21,7 @@ void require_room(double h, double side, const std::string& unit) {
 }
 
 double clamp_axis(double low, double high, double e, double dt, double& r, double& v, long long& folded) {
-  if (r >= low && r <= high) return 0;
+  if (!(r < low || r > high)) return 0;  // a NaN stays one, to be found
   const bool below = r < low;
   const double reach = below ? low - r : r - high;
   const double before = v;
