@@ -29,6 +29,7 @@ struct Simulation::Checkpoint {
   long steps;
   Clock clock;
   LocatedImpacts::Contact contact;
+  long long coincident, folded;
 };
 
 Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::string_view integrator,
@@ -114,6 +115,7 @@ void Simulation::step(double until) {
     clock_ = {};
   }
   check(dt);
+  if (dt != dt_ || dt == left) keep();  // the way back repeats steps of dt only
 }
 
 void Simulation::advance(double dt) {
@@ -187,6 +189,8 @@ void Simulation::keep() {
   c.current = s.current;
   c.steps = steps_;
   c.clock = clock_;
+  c.coincident = s.model.coincident;
+  c.folded = s.model.folded;
   if (impacts_ != nullptr) c.contact = impacts_->contact();
 }
 
@@ -202,6 +206,8 @@ void Simulation::go_back(long steps) {
   s.dissipation = c.dissipation;
   s.current = c.current;
   clock_ = c.clock;
+  s.model.coincident = c.coincident;
+  s.model.folded = c.folded;
   if (impacts_ != nullptr) impacts_->restore(c.contact);
   for (steps_ = c.steps; steps_ < steps;) advance(dt_);
 }
