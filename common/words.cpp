@@ -42,7 +42,7 @@ constexpr Words english{
         "{count} times two particles were at one point; they were pushed apart in a direction "
         "taken from their ids",
     .warn_folded =
-        "{count} times a particle crossed the box more often in one step than is followed; its "
+        "{count} times a particle met the walls more often in one step than is followed; its "
         "reflections were counted instead",
     .unknown_option = "there is no option {option}, --help lists them all{hint}",
     .option_is_parameter = "there is no option {option}; for the parameter, write --set {name}=VALUE",
