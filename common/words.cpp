@@ -10,10 +10,12 @@ constexpr Words english{
     .unknown_name = "there is no {kind} {name}; there is: {known}",
     .did_you_mean = "; did you mean {name}?",
     .value_out_of_range = "{name} = {value}{unit} is out of range: {name} must be {allowed}",
-    .not_a_number = "{name} = {value} is not a finite number",
+    .not_a_number = "{name} = {value} is not a finite number: {name} must be {allowed}",
     .not_an_integer = "{name} = {value} is not a whole number: {name} must be {allowed}",
     .not_a_choice = "{name} = {value} is not one of: {allowed}",
-    .comma_for_dot = "{name} = {value} is not a number: decimals are written with a dot, 0.5",
+    .comma_for_dot =
+        "{name} = {value} is not a number (decimals are written with a dot, 0.5): {name} must be {allowed}",
+    .needs_restart = "{name} cannot change while the scene runs: it takes effect when the scene starts anew",
     .derived_parameter = "{name} follows from other parameters and cannot be set",
     .too_many_discs = "particles = {count} discs of radius {radius} {unit} do not fit: at most {most} do",
     .box_too_small =

@@ -78,6 +78,9 @@ void Simulation::choose_step() {
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }
 
 void Simulation::set(std::string_view name, std::string_view value) {
+  const auto* known = parameters_.find(name);
+  if (known != nullptr && known->change == Change::restart)
+    throw BadInput(say(words().needs_restart, fmt::arg("name", name)));
   const auto before = parameters_;
   try {
     parameters_.set(name, value, Origin::window);
