@@ -29,9 +29,9 @@ double order_through_impacts(const Scheme& scheme, const std::string& impacts) {
 }
 
 /// Energy after a hundred bounces without loss, over the first; no drag.
-double energy_left(const std::string& integrator, const std::string& impacts) {
+double energy_left(const std::string& integrator, const std::string& impacts, double dt) {
   Simulation simulation(
-      drop(), typed({{"drag", 0.0}, {"restitution", 1.0}, {"impacts", impacts}, {"dt", 0.01}}), integrator);
+      drop(), typed({{"drag", 0.0}, {"restitution", 1.0}, {"impacts", impacts}, {"dt", dt}}), integrator);
   const double before = simulation.energy().mechanical();
   run_to(simulation, exact_ball(no_drag, 1).impact(100).time + 0.3);
   return simulation.energy().mechanical() / before;
@@ -72,13 +72,20 @@ TEST_CASE("clamping at the wall drops every scheme to order 1", "[stage1]") {
 TEST_CASE("a hundred bounces without loss keep the energy when impacts are located", "[stage1]") {
   const std::string integrator = GENERATE("velocity_verlet", "rk2", "rk4");
   // The flights are exact; finding a hundred impacts rounds the height by an ulp of it each, 1e4 steps more.
-  CHECK(energy_left(integrator, "located") == Approx(1).margin(1e-11));
+  CHECK(energy_left(integrator, "located", 0.01) == Approx(1).margin(1e-11));
 }
 
 TEST_CASE("clamping makes energy: a hundred bounces without loss multiply it", "[stage1]") {
-  // A step ends beyond the wall with the speed of the way down to there, and is put back up on the wall.
+  // A step that ends beyond the wall has the speed of the way down to there, and is put back up on the wall:
+  // by how much is chance, so that single runs gain from 2 % to a factor of 4.
   const std::string integrator = GENERATE("velocity_verlet", "rk2", "rk4");
-  CHECK(energy_left(integrator, "clamp") > 1.5);
+  double mean = 0;
+  for (int k = 0; k < 9; ++k) {
+    const double left = energy_left(integrator, "clamp", 0.008 + 0.0005 * k);
+    CHECK(left > 1.01);
+    mean += left / 9;
+  }
+  CHECK(mean > 1.25);
 }
 
 TEST_CASE("the error of the drop is its distance to the closed form", "[stage1]") {
