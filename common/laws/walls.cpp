@@ -28,7 +28,7 @@ struct Normal {
 
 /// Energy per unit of mass that the impact takes.
 double clamp_axis(double low, double high, double e, double dt, Normal& n, long long& folded) {
-  if (n.r >= low && n.r <= high) return 0;
+  if (!(n.r < low || n.r > high)) return 0;  // a NaN stays one, to be found
   const bool below = n.r < low;
   const double depth = below ? low - n.r : n.r - high;
   if (depth > high - low) {

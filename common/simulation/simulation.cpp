@@ -33,7 +33,9 @@ struct Simulation::Checkpoint {
   double time, dissipated, dissipation;
   bool current;
   long steps;
+  Clock clock;
   LocatedImpacts::Contact contact;
+  long long coincident, folded;
 };
 
 Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::string_view integrator,
@@ -111,8 +113,12 @@ void Simulation::step(double until) {
   if (dt <= 0) return;
   if (steps_ - checkpoint_->steps >= checkpoint_every) keep();
   advance(dt);
-  if (dt == left) system_->time = until;
+  if (dt == left) {
+    system_->time = until;
+    clock_ = {};
+  }
   check(dt);
+  if (dt != dt_ || dt == left) keep();  // the way back repeats steps of dt only
 }
 
 void Simulation::advance(double dt) {
@@ -126,7 +132,8 @@ void Simulation::advance(double dt) {
   const double integrated = model.timed ? seconds_since(start) : 0;
   model.settle(s, dt);
   s.current = integrator_->leaves_acceleration();
-  s.time += dt;
+  if (dt != clock_.dt) clock_ = {s.time, dt, 0};
+  s.time = clock_.start + static_cast<double>(++clock_.steps) * dt;
   ++steps_;
   if (model.timed) {
     const double settled = seconds_since(start);
@@ -181,6 +188,9 @@ void Simulation::keep() {
   c.dissipation = s.dissipation;
   c.current = s.current;
   c.steps = steps_;
+  c.clock = clock_;
+  c.coincident = s.model.coincident;
+  c.folded = s.model.folded;
   if (impacts_ != nullptr) c.contact = impacts_->contact();
 }
 
@@ -195,6 +205,9 @@ void Simulation::go_back(long steps) {
   s.dissipated_energy = c.dissipated;
   s.dissipation = c.dissipation;
   s.current = c.current;
+  clock_ = c.clock;
+  s.model.coincident = c.coincident;
+  s.model.folded = c.folded;
   if (impacts_ != nullptr) impacts_->restore(c.contact);
   for (steps_ = c.steps; steps_ < steps;) advance(dt_);
 }

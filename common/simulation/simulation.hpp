@@ -69,6 +69,11 @@ class Simulation {
 
  private:
   struct Checkpoint;
+  /// Steps of one length are counted, so that a million of them leave no error of a million roundings.
+  struct Clock {
+    double start = 0, dt = 0;  ///< when the first of them began, and their length [s]
+    long steps = 0;
+  };
 
   void choose_step();
   void advance(double dt);
@@ -87,6 +92,7 @@ class Simulation {
   double dt_ = 0, sound_speed_ = 0;
   double fastest_ = 0;  ///< a particle beyond this speed has gained energy from nowhere [L/s]
   long steps_ = 0;
+  Clock clock_;
   std::unique_ptr<Checkpoint> checkpoint_;
   Cost cost_;
   std::vector<std::string> warnings_;
