@@ -15,7 +15,7 @@ const Stage& find_stage(std::span<const Stage> stages, const std::string& name) 
   std::vector<const Stage*> matching;
   std::vector<std::string> names;
   for (const auto& stage : stages) {
-    names.push_back(stage.name);
+    names.push_back(stage.name.substr(0, stage.name.find('_')));
     if (stage.name.starts_with(name)) matching.push_back(&stage);
   }
   if (name.empty() || matching.size() != 1) throw BadInput(unknown_name("stage", name, names));
