@@ -100,6 +100,41 @@ constexpr Words english{
     .mechanical = "mechanical",
     .total = "with what was lost",
     .chosen_particle = "particle {id}: {count} neighbours",
+    .compare_side = "{side} is not STAGE/SCENE[:NAME=VALUE,...]",
+    .compare_assignment = "{side}: {text} is not NAME=VALUE",
+    .compare_two_sides = "a comparison takes two of STAGE/SCENE[:NAME=VALUE,...], not {count}",
+    .compare_two_ends = "--until and --steps: a comparison ends at one of them",
+    .compare_units = "the sides measure in {left} and in {right}: they cannot be compared",
+    .compare_counts = "the sides have {left} and {right} particles: only equal numbers can be compared",
+    .compare_other_start =
+        "the sides do not begin alike: particles are up to {largest} {unit} apart at t = 0",
+    .compare_title = "{folder}: compared until t = {time} s\n",
+    .compare_side_line =
+        "{name} {side}\n"
+        "  steps     {steps} of {dt} s with {integrator}, {evaluations} force evaluations\n"
+        "  cost      {cpu} s of processor time, {step} ms per step\n"
+        "  energy    total drifts by {drift} of its start\n",
+    .compare_left = "left",
+    .compare_right = "right",
+    .compare_end =
+        "difference at the end: largest {largest} {unit} ({share} % of the box's diagonal), rms {rms} "
+        "{unit}\n",
+    .compare_largest =
+        "difference at most:    {largest} {unit} ({share} %), at t = {time} s, particle {particle}\n",
+    .compare_ratio = "right over left:       {cpu} in processor time, {step} per step\n",
+    .compare_plot = "Difference",
+    .compare_curve_largest = "largest",
+    .compare_curve_rms = "rms",
+    .help_compare =
+        "Runs two scenes from the same start on a common clock and says how far apart they come. With the "
+        "same "
+        "time step they are compared after each step; otherwise at common instants, neither trajectory "
+        "altered.",
+    .help_side = "STAGE/SCENE[:NAME=VALUE,...]; NAME is a parameter, integrator or threads",
+    .help_compare_steps = "stop after so many steps of the left side",
+    .help_compare_every = "simulated time between two rows of compare.csv [s]",
+    .help_compare_out = "the folder to leave; runs/compare-DATE otherwise",
+    .help_compare_json = "print compare.json for a program to read",
     .help_scene = "the scene, by name; the first one otherwise",
     .help_headless = "no window; leaves a run folder and prints a summary",
     .help_until = "stop at this simulated time [s]; 5 when neither --until nor --steps is given",

@@ -34,6 +34,11 @@ struct Words {
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
       column_meaning, plot_energies, plot_error, kinetic, potential, elastic, mechanical, total,
       chosen_particle;
+  // runner: comparison
+  std::string_view compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
+      compare_counts, compare_other_start, compare_title, compare_side_line, compare_left, compare_right,
+      compare_end, compare_largest, compare_ratio, compare_plot, compare_curve_largest, compare_curve_rms,
+      help_compare, help_side, help_compare_steps, help_compare_every, help_compare_out, help_compare_json;
   // runner: help
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
       help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,

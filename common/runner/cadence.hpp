@@ -13,12 +13,15 @@ class Cadence {
 
   /// Whether the state at `time` is at or after the next multiple; `dt` is the step that goes on from it.
   [[nodiscard]] bool due(double time, double dt) const {
-    return interval_ <= 0 || time + rounding * dt >= (served_ + 1) * interval_;
+    return interval_ <= 0 || time + rounding * dt >= next();
   }
   /// What was due at `time` is done.
   void serve(double time, double dt) {
     if (interval_ > 0) served_ = std::floor((time + rounding * dt) / interval_);
   }
+
+  /// The next multiple [s].
+  [[nodiscard]] double next() const { return (served_ + 1) * interval_; }
 
  private:
   /// A sum of many steps misses a multiple of the interval by rounding; this share of a step forgives it.
