@@ -148,9 +148,8 @@ constexpr Words english{
     .help_out = "the run folder; runs/STAGE-SCENE-DATE otherwise",
     .help_force = "replace the earlier run in --out",
     .help_every =
-        "simulated time between two rows of series.csv [s]; by default each step of a short run, 500 rows of "
-        "a "
-        "long one",
+        "simulated time between two rows of series.csv [s]; otherwise each step of a short run, some "
+        "500 rows of a long one",
     .help_frames = "also write all particles to frames/NNNN.csv at this interval [s]",
     .help_picture = "also write a picture here, .png, .svg or .pdf",
     .help_list = "print scenes, parameters or integrators, and end",

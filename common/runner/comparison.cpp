@@ -36,7 +36,7 @@ void refuse_unlike(const Side& left, const Side& right) {
 
 double usual_interval_of(const Side& left, const Side& right, double until, bool together) {
   const double dt = std::max(left.simulation->dt(), right.simulation->dt());
-  const double usual = usual_interval(dt, until);
+  const double usual = usual_interval(dt, until, left.simulation->particles().size());
   return together ? usual : std::max(usual, dt);
 }
 
