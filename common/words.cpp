@@ -10,10 +10,12 @@ constexpr Words english{
     .unknown_name = "there is no {kind} {name}; there is: {known}",
     .did_you_mean = "; did you mean {name}?",
     .value_out_of_range = "{name} = {value}{unit} is out of range: {name} must be {allowed}",
-    .not_a_number = "{name} = {value} is not a finite number",
+    .not_a_number = "{name} = {value} is not a finite number: {name} must be {allowed}",
     .not_an_integer = "{name} = {value} is not a whole number: {name} must be {allowed}",
     .not_a_choice = "{name} = {value} is not one of: {allowed}",
-    .comma_for_dot = "{name} = {value} is not a number: decimals are written with a dot, 0.5",
+    .comma_for_dot =
+        "{name} = {value} is not a number (decimals are written with a dot, 0.5): {name} must be {allowed}",
+    .needs_restart = "{name} cannot change while the scene runs: it takes effect when the scene starts anew",
     .derived_parameter = "{name} follows from other parameters and cannot be set",
     .too_many_discs = "particles = {count} discs of radius {radius} {unit} do not fit: at most {most} do",
     .box_too_small =
@@ -42,7 +44,7 @@ constexpr Words english{
         "{count} times two particles were at one point; they were pushed apart in a direction "
         "taken from their ids",
     .warn_folded =
-        "{count} times a particle crossed the box more often in one step than is followed; its "
+        "{count} times a particle met the walls more often in one step than is followed; its "
         "reflections were counted instead",
     .unknown_option = "there is no option {option}, --help lists them all{hint}",
     .option_is_parameter = "there is no option {option}; for the parameter, write --set {name}=VALUE",

@@ -25,14 +25,20 @@ void LocatedImpacts::put(const State& state) {
   s_.dissipated_energy = state.dissipated;
 }
 
-/// Advances by dt, at most the length of the piece, from its start; returns the state reached.
+LocatedImpacts::Piece LocatedImpacts::begin(double t, double dt) {
+  if (!s_.current) s_.evaluate(t);
+  return {state(), row(s_.acceleration, 0), s_.dissipation, t, dt};
+}
+
+/// Advances by dt, at most the length of the piece, from its start; returns the state reached. The same dt
+/// gives the same bits.
 LocatedImpacts::State LocatedImpacts::run(const Piece& piece, double dt) {
   put(piece.from);
+  s_.acceleration.row(0) << piece.a.x, piece.a.y;
+  s_.dissipation = piece.dissipation;
   s_.time = piece.t;
-  if (dt == 0) return piece.from;
-  if (!s_.current) s_.evaluate(piece.t);
-  scheme_->step(s_, dt);
-  s_.current = false;
+  ran_ = dt;
+  if (dt > 0) scheme_->step(s_, dt);
   return state();
 }
 
@@ -104,7 +110,7 @@ void LocatedImpacts::reflect(const Side& side, double rest_of_step) {
   s_.model.evaluate(s_, s_.time);
   const double pushing = side.high ? s_.acceleration(0, side.axis) : -s_.acceleration(0, side.axis);
   const double speed = e * std::abs(before);
-  const double until_rest = e < 1 ? 2 * speed / (pushing * (1 - e)) : std::numeric_limits<double>::infinity();
+  const double until_rest = speed > 0 ? 2 * speed / (pushing * (1 - e)) : 0;  // infinite for e = 1
   if (pushing > 0 && until_rest <= rest_of_step)
     contact_[static_cast<std::size_t>(side.axis)] = side.high ? 1 : -1;
   else
@@ -113,13 +119,19 @@ void LocatedImpacts::reflect(const Side& side, double rest_of_step) {
   s_.dissipated_energy += m / 2 * (before * before - after * after);
 }
 
-/// Frees the particle from a wall that the laws push it away from.
-void LocatedImpacts::release() {
+/// Whether the particle, at the start of a step, rests on a wall that the laws press it on.
+void LocatedImpacts::rest_or_release() {
+  contact_ = {0, 0};
+  for (const int axis : {0, 1}) {
+    const double r = s_.position(0, axis);
+    if (s_.velocity(0, axis) == 0)
+      contact_[static_cast<std::size_t>(axis)] = r == walls_.low(axis) ? -1 : r == walls_.high(axis) ? 1 : 0;
+  }
   if (contact_ == Contact{0, 0}) return;
   s_.model.evaluate(s_, s_.time);
   for (const int axis : {0, 1}) {
     auto& side = contact_[static_cast<std::size_t>(axis)];
-    if (side * s_.acceleration(0, axis) < 0) side = 0;
+    if (side * s_.acceleration(0, axis) <= 0) side = 0;
   }
   s_.evaluate(s_.time);
   s_.current = true;
@@ -134,9 +146,9 @@ void LocatedImpacts::bear() const {
 void LocatedImpacts::step(System& s, double dt) {
   walls_ = *s.model.walls();
   touched_ = false;
-  release();
-  Piece piece{state(), s.time, dt};
+  rest_or_release();
   const double start = s.time;
+  auto piece = begin(start, dt);
   for (int impacts = 0; impacts <= most_impacts; ++impacts) {
     const auto end = run(piece, piece.dt);
     double times[2], first = std::numeric_limits<double>::infinity();
@@ -148,29 +160,43 @@ void LocatedImpacts::step(System& s, double dt) {
       times[axis] = std::min(to_low, to_high);
       first = std::min(first, times[axis]);
     }
-    s.time = start;
-    if (first > piece.dt) return put(end);
+    if (first > piece.dt) {
+      if (ran_ != piece.dt) run(piece, piece.dt);  // the search left another state behind
+      return finish(start);
+    }
     touched_ = true;
     run(piece, first);
     s.time = piece.t + first;
     for (const int axis : {0, 1})  // both at once in a corner
       if (times[axis] - first <= 1e-12 * dt) reflect(sides[axis], piece.dt - first);
     s.current = false;
-    piece = {state(), s.time, piece.dt - first};
+    piece = begin(s.time, piece.dt - first);
   }
-  fold_rest(piece);
-  s.time = start;
+  count_remaining(piece);
+  finish(start);
 }
 
-void LocatedImpacts::fold_rest(const Piece& piece) {
+void LocatedImpacts::finish(double start) {
+  s_.time = start;  // the clock is the caller's
+  contact_ = {0, 0};
+}
+
+void LocatedImpacts::count_remaining(const Piece& piece) {
   for (const int axis : {0, 1}) {
     auto& r = s_.position(0, axis);
     auto& v = s_.velocity(0, axis);
     if (contact_[static_cast<std::size_t>(axis)] != 0) continue;
-    const auto end = fold(r, v, piece.dt, walls_.low(axis), walls_.high(axis), walls_.restitution);
-    s_.dissipated_energy += s_.particles.mass(0) / 2 * (v * v - end.velocity * end.velocity);
-    r = end.position;
-    v = end.velocity;
+    const double a = axis == 0 ? piece.a.x : piece.a.y, low = walls_.low(axis), high = walls_.high(axis);
+    const double away = r == low ? 1 : r == high ? -1 : 0;  // from the wall it is on
+    const double push = -away * a, e = walls_.restitution;
+    const bool hops = push > 0 && v * v < 2 * push * (high - low);
+    const double last = hops ? v : v + a * piece.dt;  // at full speed
+    const auto end =
+        hops ? hop(away * v, push, piece.dt, e) : fold(r, (v + last) / 2, piece.dt, low, high, e);
+    const double kept = std::pow(e, end.impacts);
+    s_.dissipated_energy += s_.particles.mass(0) / 2 * last * last * (1 - kept * kept);
+    r = hops ? r + away * end.position : end.position;
+    v = hops ? away * end.velocity : end.impacts == 0 ? last : std::copysign(last * kept, end.velocity);
   }
   ++s_.model.folded;
 }

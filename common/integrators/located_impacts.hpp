@@ -15,14 +15,12 @@ namespace clapotis {
 /// A step that ends beyond a wall is taken back; the share of it that ends on the wall is found on the
 /// scheme's own path, the normal velocity is turned round, and the rest of the step follows. Infinitely many
 /// impacts end in finite time (Zeno): when all that would follow, lasting 2 e v/(a (1 - e)) together, fit in
-/// what is left of the step, the particle rests on the wall until the laws push it away. After `most_impacts`
-/// in one step its rest is a free flight, folded by its reflections.
+/// what is left of the step, the particle stands still. One that stands still on a wall rests there as long
+/// as the laws press it on. After `most_impacts` in one step the others are counted in closed form, under the
+/// acceleration of that instant: as hops on the wall it is pressed on, else as a flight folded by the walls.
 class LocatedImpacts final : public Integrator {
  public:
   static constexpr int most_impacts = 64;
-
-  /// Per axis: -1 at rest on the low wall, +1 on the high one, 0 free.
-  using Contact = std::array<int, 2>;
 
   /// Takes the walls from the system's model, which must have them, and one particle.
   LocatedImpacts(std::unique_ptr<Integrator> scheme, System& system);
@@ -33,9 +31,6 @@ class LocatedImpacts final : public Integrator {
     return !touched_ && scheme_->leaves_acceleration();
   }
 
-  [[nodiscard]] const Contact& contact() const { return contact_; }
-  void restore(const Contact& contact) { contact_ = contact; }
-
  private:
   struct State {
     Vector r, v;
@@ -45,12 +40,17 @@ class LocatedImpacts final : public Integrator {
     int axis;
     bool high;
   };
-  /// A piece of a step: from a state at time t, for dt.
+  /// A piece of a step: from a state at time t, with the acceleration and dissipation there, for dt.
   struct Piece {
     State from;
+    Vector a;
+    double dissipation;
     double t, dt;
   };
+  /// Per axis: -1 at rest on the low wall, +1 on the high one, 0 free.
+  using Contact = std::array<int, 2>;
 
+  Piece begin(double t, double dt);
   State run(const Piece& piece, double dt);
   void put(const State& state);
   [[nodiscard]] State state() const;
@@ -60,15 +60,17 @@ class LocatedImpacts final : public Integrator {
   /// When the particle reaches that wall during the piece, which ends in `end`; infinity if it does not.
   double impact_time(const Piece& piece, const State& end, const Side& side);
   double root(const Piece& piece, double from, double to, const std::function<double(const State&)>& value);
-  void fold_rest(const Piece& piece);
+  void count_remaining(const Piece& piece);
   void reflect(const Side& side, double rest_of_step);
-  void release();
+  void rest_or_release();
   void bear() const;
+  void finish(double start);
 
   std::unique_ptr<Integrator> scheme_;
   System& s_;
   Walls walls_{};
-  Contact contact_{0, 0};
+  Contact contact_{0, 0};  ///< during a step
+  double ran_ = 0;         ///< how far the last trial of the piece went [s]
   bool touched_ = false;
 };
 

@@ -14,8 +14,9 @@ namespace {
 
 const Parameter restitution{
     .name = "restitution", .symbol = "e", .unit = "", .value = 0.8, .range = {.low = 0, .high = 1}};
+
 void require_room(double h, double side, const std::string& unit) {
-  if (2 * h > side)
+  if (2 * h >= side)
     throw BadInput(say(words().box_too_small, fmt::arg("radius", to_text(h)), fmt::arg("side", to_text(side)),
                        fmt::arg("unit", unit)));
 }
@@ -102,6 +103,16 @@ Folded fold(double start, double v, double dt, double low, double high, double e
   const double left = std::clamp(rest * speed * std::pow(e, impacts), 0.0, length);
   const bool from_high = (v > 0) == (std::fmod(whole, 2) == 0);
   return {from_high ? high - left : low + left, (from_high ? -1 : 1) * speed * std::pow(e, impacts), impacts};
+}
+
+Folded hop(double v, double a, double dt, double e) {
+  const double first = 2 * v / a;  // duration of the first hop
+  const double hops = dt / first;  // that fit in dt, if none were shorter
+  if (v == 0 || hops * (1 - e) >= 1) return {0, 0, std::numeric_limits<double>::infinity()};
+  const double whole = std::floor(e == 1 ? hops : std::log1p(-hops * (1 - e)) / std::log(e));
+  const double sum = e == 1 || whole == 0 ? whole : -std::expm1(whole * std::log(e)) / (1 - e);
+  const double speed = v * std::pow(e, whole), left = std::clamp(dt - first * sum, 0.0, 2 * speed / a);
+  return {left * (speed - a * left / 2), speed - a * left, whole};
 }
 
 BoxWalls BoxWalls::from(Parameters& p) {

@@ -39,6 +39,11 @@ struct Folded {
 /// parity counts.
 Folded fold(double start, double v, double dt, double low, double high, double e);
 
+/// From a wall, with a speed v >= 0 away from it, under a constant acceleration a > 0 towards it, for the
+/// time dt: hop after hop, each e times as long as the one before, a geometric series. Position is the
+/// distance from the wall, velocity away from it. It stands still when all hops are over.
+Folded hop(double v, double a, double dt, double e);
+
 /// The four walls of the window: the rim of a disc touches them. Handout, section III.
 struct BoxWalls {
   static constexpr std::string_view name = "walls";

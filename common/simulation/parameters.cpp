@@ -58,12 +58,13 @@ std::string to_text(double value) {
   return {buffer, end};
 }
 
-double parse_number(std::string_view what, std::string_view text) {
+double parse_number(std::string_view what, std::string_view text, std::string_view allowed) {
   const auto refuse = [&](std::string_view sentence) {
-    throw BadInput(say(sentence, fmt::arg("name", what), fmt::arg("value", text)));
+    throw BadInput(
+        say(sentence, fmt::arg("name", what), fmt::arg("value", text), fmt::arg("allowed", allowed)));
   };
   double value = 0;
-  const auto digits = text.starts_with('+') ? text.substr(1) : text;
+  const auto digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (text.find(',') != std::string_view::npos) refuse(words().comma_for_dot);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
@@ -91,7 +92,7 @@ double Parameter::parse(std::string_view text) const {
                    suggestion(text, choices));
   }
   if (automatic && text == "auto") return std::numeric_limits<double>::quiet_NaN();
-  const double number = parse_number(name, text);
+  const double number = parse_number(name, text, allowed());
   const auto refuse = [&](std::string_view sentence) {
     throw BadInput(say(sentence, fmt::arg("name", name), fmt::arg("value", text),
                        fmt::arg("unit", unit.empty() ? "" : " " + unit), fmt::arg("allowed", allowed())));

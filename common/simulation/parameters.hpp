@@ -110,7 +110,7 @@ std::string unknown_name(std::string_view kind, std::string_view name, const std
 /// The shortest text that reads back as the same number; always with a dot.
 std::string to_text(double value);
 
-/// A finite number written with a dot; throws BadInput naming `what` otherwise.
-double parse_number(std::string_view what, std::string_view text);
+/// A finite number written with a dot; throws BadInput naming `what` and what is `allowed` otherwise.
+double parse_number(std::string_view what, std::string_view text, std::string_view allowed);
 
 }  // namespace clapotis

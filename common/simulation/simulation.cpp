@@ -34,7 +34,6 @@ struct Simulation::Checkpoint {
   bool current;
   long steps;
   Clock clock;
-  LocatedImpacts::Contact contact;
   long long coincident, folded;
 };
 
@@ -60,18 +59,9 @@ Simulation::~Simulation() = default;
 
 void Simulation::use_integrator(std::string_view name) {
   auto scheme = make_integrator(name);
-  const LocatedImpacts::Contact contact =
-      impacts_ != nullptr ? impacts_->contact() : LocatedImpacts::Contact{0, 0};
   integrator_.reset();
-  impacts_ = nullptr;
-  if (setup_.locate_impacts) {
-    auto located = std::make_unique<LocatedImpacts>(std::move(scheme), *system_);
-    located->restore(contact);
-    impacts_ = located.get();
-    integrator_ = std::move(located);
-  } else {
-    integrator_ = std::move(scheme);
-  }
+  integrator_ = setup_.locate_impacts ? std::make_unique<LocatedImpacts>(std::move(scheme), *system_)
+                                      : std::move(scheme);
   integrator_name_ = name;
   system_->current = false;
   if (checkpoint_) keep();
@@ -91,6 +81,9 @@ void Simulation::choose_step() {
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }
 
 void Simulation::set(std::string_view name, std::string_view value) {
+  const auto* known = parameters_.find(name);
+  if (known != nullptr && known->change == Change::restart)
+    throw BadInput(say(words().needs_restart, fmt::arg("name", name)));
   const auto before = parameters_;
   try {
     parameters_.set(name, value, Origin::window);
@@ -191,7 +184,6 @@ void Simulation::keep() {
   c.clock = clock_;
   c.coincident = s.model.coincident;
   c.folded = s.model.folded;
-  if (impacts_ != nullptr) c.contact = impacts_->contact();
 }
 
 /// Back to the checkpoint, then forward again, by the same steps, to the state after `steps` of them.
@@ -208,7 +200,6 @@ void Simulation::go_back(long steps) {
   clock_ = c.clock;
   s.model.coincident = c.coincident;
   s.model.folded = c.folded;
-  if (impacts_ != nullptr) impacts_->restore(c.contact);
   for (steps_ = c.steps; steps_ < steps;) advance(dt_);
 }
 

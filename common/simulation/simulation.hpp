@@ -12,8 +12,6 @@
 
 namespace clapotis {
 
-class LocatedImpacts;
-
 /// Where the time of the loop went [s].
 struct Cost {
   double neighbours = 0, forces = 0, integration = 0, walls = 0;
@@ -87,7 +85,6 @@ class Simulation {
   std::unique_ptr<System> system_;
   std::string integrator_name_;
   std::unique_ptr<Integrator> integrator_;
-  LocatedImpacts* impacts_ = nullptr;  ///< the integrator, where it locates impacts
   std::vector<StepLimit> limits_;
   double dt_ = 0, sound_speed_ = 0;
   double fastest_ = 0;  ///< a particle beyond this speed has gained energy from nowhere [L/s]
