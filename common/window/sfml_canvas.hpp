@@ -1,0 +1,42 @@
+#pragma once
+
+#include <SFML/Graphics/Font.hpp>
+#include <SFML/Graphics/RenderTarget.hpp>
+#include <SFML/Graphics/Texture.hpp>
+#include <SFML/Graphics/Vertex.hpp>
+#include <vector>
+
+#include "runner/canvas.hpp"
+
+namespace clapotis {
+
+/// A Canvas on an SFML window. Discs are textured quads, edges of lines fade out over one pixel: smooth
+/// without multisampling, which a lecture laptop without a graphics card could not afford. Buffers are kept
+/// between frames.
+class SfmlCanvas final : public Canvas {
+ public:
+  explicit SfmlCanvas(sf::RenderTarget& target);
+
+  /// Forgets the last picture and takes over the target's present size.
+  void start(Colour background);
+
+  [[nodiscard]] Point size() const override;
+  void rectangle(const Box& box, Colour fill) override;
+  void discs(std::span<const Disc> discs) override;
+  void line(std::span<const Point> points, Colour colour, double width) override;
+  void text(Point at, std::string_view utf8, double height, Colour colour,
+            Align align = Align::left) override;
+  [[nodiscard]] double text_width(std::string_view utf8, double height) const override;
+  void clip(const Box& box) override;
+  void unclip() override;
+
+ private:
+  sf::RenderTarget& target_;
+  sf::Font font_;
+  bool has_font_ = false;
+  sf::Texture disc_atlas_;
+  std::vector<sf::Vertex> vertices_;
+  std::vector<Point> corners_;  ///< of a thick line: four per point, from its left to its right edge
+};
+
+}  // namespace clapotis
