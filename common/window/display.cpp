@@ -1,4 +1,4 @@
-#include "window/display.hpp"
+#include "common/window/display.hpp"
 
 #if defined(__unix__) && !defined(__APPLE__)
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-#include "window/fonts.hpp"
+#include "common/window/fonts.hpp"
 
 #include <cstdlib>
 #include <sstream>

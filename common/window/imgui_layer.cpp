@@ -1,4 +1,4 @@
-#include "window/imgui_layer.hpp"
+#include "common/window/imgui_layer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "backends/imgui_impl_opengl2.h"
+#include "common/window/fonts.hpp"
+#include "common/window/theme.hpp"
 #include "imgui.h"
-#include "window/fonts.hpp"
-#include "window/theme.hpp"
 
 namespace clapotis {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "window/input.hpp"
+#include "common/window/input.hpp"
 
 namespace clapotis {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runner/canvas.hpp"
+#include "common/runner/canvas.hpp"
 
 namespace clapotis {
 

@@ -1,12 +1,12 @@
-#include "window/screen.hpp"
+#include "common/window/screen.hpp"
 
 #include <SFML/Graphics.hpp>
 #include <SFML/Window/Clipboard.hpp>
 #include <ctime>
 #include <optional>
 
-#include "window/imgui_layer.hpp"
-#include "window/sfml_canvas.hpp"
+#include "common/window/imgui_layer.hpp"
+#include "common/window/sfml_canvas.hpp"
 
 namespace clapotis {
 namespace {

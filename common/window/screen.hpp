@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "window/input.hpp"
+#include "common/window/input.hpp"
 
 namespace clapotis {
 

@@ -1,4 +1,4 @@
-#include "window/sfml_canvas.hpp"
+#include "common/window/sfml_canvas.hpp"
 
 #include <SFML/Graphics/Image.hpp>
 #include <SFML/Graphics/Text.hpp>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-#include "window/fonts.hpp"
+#include "common/window/fonts.hpp"
 
 namespace clapotis {
 namespace {

@@ -6,7 +6,7 @@
 #include <SFML/Graphics/Vertex.hpp>
 #include <vector>
 
-#include "runner/canvas.hpp"
+#include "common/runner/canvas.hpp"
 
 namespace clapotis {
 

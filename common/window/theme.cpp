@@ -1,4 +1,4 @@
-#include "window/theme.hpp"
+#include "common/window/theme.hpp"
 
 #include "imgui.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runner/canvas.hpp"
+#include "common/runner/canvas.hpp"
 
 /// The light, restrained look of the window: one place for colours and sizes.
 namespace clapotis::theme {

@@ -1,4 +1,4 @@
-#include "window/trace.hpp"
+#include "common/window/trace.hpp"
 
 #include <cstdlib>
 #include <utility>
