@@ -168,21 +168,23 @@ void ImGuiLayer::handle(const Input& input) {
 }
 
 /// Before 1.87 ImGui sees only the state at the start of a frame: a click whose press and release fall
-/// between two frames would be lost. So one frame is given mouse moves, then either characters or one single
-/// key, button or wheel change; what follows waits for the next frame.
+/// between two frames would be lost, and so would the last move of a drag. So one frame is given either mouse
+/// moves, or characters, or one single change of a key, a button or the wheel; what follows waits for the
+/// next frame.
 void ImGuiLayer::apply_pending() {
-  bool changed = false, characters = false;
+  const auto kind_of_change = [](const Input& input) {
+    if (input.kind == Input::Kind::moved) return 1;
+    if (input.kind == Input::Kind::character) return 2;
+    const bool single =
+        is_button(input) || input.kind == Input::Kind::wheel || (is_key(input) && input.key != Key::other);
+    return single ? 3 : 0;
+  };
+  int changed = 0;
   while (!pending_.empty()) {
-    const auto& next = pending_.front();
-    const bool is_character = next.kind == Input::Kind::character;
-    const bool changes =
-        is_button(next) || next.kind == Input::Kind::wheel || (is_key(next) && next.key != Key::other);
-    if (changed || (characters && !is_character)) {
-      if (changes || is_character || next.kind == Input::Kind::moved) return;
-    }
-    feed(next);
-    changed = changed || changes;
-    characters = characters || is_character;
+    const int next = kind_of_change(pending_.front());
+    if (next != 0 && changed != 0 && (next != changed || next == 3)) return;
+    changed = std::max(changed, next);
+    feed(pending_.front());
     pending_.pop_front();
   }
 }

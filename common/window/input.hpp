@@ -6,40 +6,12 @@ namespace clapotis {
 
 /// The keys the window or a text field acts on; every other key is `other`. A letter is the one the user's
 /// keyboard layout prints, so that shortcuts work on AZERTY as well.
+// clang-format off
 enum class Key {
-  other,
-  a,
-  c,
-  e,
-  g,
-  h,
-  l,
-  n,
-  r,
-  v,
-  x,
-  y,
-  z,
-  space,
-  enter,
-  escape,
-  backspace,
-  del,
-  tab,
-  left,
-  right,
-  up,
-  down,
-  page_up,
-  page_down,
-  home,
-  end,
-  shift,
-  control,
-  alt,
-  f1,
-  f12
-};  // clang-format keeps this list dense
+  other, a, c, e, g, h, l, n, r, v, x, y, z, space, enter, escape, backspace, del, tab, left, right, up, down,
+  page_up, page_down, home, end, shift, control, alt, f1, f12
+};
+// clang-format on
 
 enum class MouseButton { left, right, middle };
 

@@ -225,6 +225,8 @@ void Screen::end_frame() {
 Canvas& Screen::canvas() { return parts_->canvas; }
 void Screen::title(const std::string& ascii) { parts_->window.setTitle(ascii); }
 
+unsigned long Screen::handle() const { return static_cast<unsigned long>(parts_->window.getSystemHandle()); }
+
 Point Screen::size() const {
   const auto size = parts_->window.getSize();
   return {static_cast<double>(size.x), static_cast<double>(size.y)};

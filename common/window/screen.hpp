@@ -24,6 +24,7 @@ class Screen {
   void end_frame();
   [[nodiscard]] Canvas& canvas();
   void title(const std::string& ascii);
+  [[nodiscard]] unsigned long handle() const;  ///< the operating system's name for the window
   [[nodiscard]] Point size() const;
   [[nodiscard]] bool panel_wants_mouse() const;
   [[nodiscard]] bool panel_wants_text() const;

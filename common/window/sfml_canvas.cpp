@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 
 #include "common/window/fonts.hpp"
@@ -55,6 +56,12 @@ sf::Image disc_atlas() {
   return image;
 }
 
+/// Inside the largest disc everything is white: what is not textured takes its colour from there.
+sf::Vector2f white() {
+  const auto middle = static_cast<float>(atlas_cell(atlas_radii.back())) / 2;
+  return {middle, static_cast<float>(atlas_row(atlas_radii.size() - 1)) + middle};
+}
+
 void append_quad(std::vector<sf::Vertex>& vertices, const std::array<sf::Vertex, 4>& quad) {
   for (const std::size_t corner : {0, 1, 2, 0, 2, 3}) vertices.push_back(quad[corner]);
 }
@@ -94,62 +101,93 @@ void SfmlCanvas::discs(std::span<const Disc> discs) {
   vertices_.clear();
   vertices_.reserve(6 * discs.size());
   for (const Disc& disc : discs) {
-    const auto larger = std::lower_bound(atlas_radii.begin(), atlas_radii.end() - 1, disc.radius,
-                                         [](unsigned size, double radius) { return size < radius; });
-    const auto level = static_cast<std::size_t>(larger - atlas_radii.begin());
-    const auto cell = static_cast<float>(atlas_cell(*larger));
-    const auto top = static_cast<float>(atlas_row(level));
-    const auto reach = static_cast<float>(disc.radius * (*larger + atlas_margin) / *larger);
-    const auto colour = of(disc.colour);
-    const auto centre = of(disc.centre);
-    append_quad(vertices_, {sf::Vertex({centre.x - reach, centre.y - reach}, colour, {0, top}),
-                            sf::Vertex({centre.x + reach, centre.y - reach}, colour, {cell, top}),
-                            sf::Vertex({centre.x + reach, centre.y + reach}, colour, {cell, top + cell}),
-                            sf::Vertex({centre.x - reach, centre.y + reach}, colour, {0, top + cell})});
+    if (disc.hole > 0) {
+      append_ring(disc);
+    } else {
+      append_disc(disc);
+    }
   }
-  if (!vertices_.empty()) target_.draw(vertices_.data(), vertices_.size(), sf::Triangles, &disc_atlas_);
+  draw_vertices();
+}
+
+void SfmlCanvas::append_disc(const Disc& disc) {
+  const auto larger = std::lower_bound(atlas_radii.begin(), atlas_radii.end() - 1, disc.radius,
+                                       [](unsigned size, double radius) { return size < radius; });
+  const auto cell = static_cast<float>(atlas_cell(*larger));
+  const auto top = static_cast<float>(atlas_row(static_cast<std::size_t>(larger - atlas_radii.begin())));
+  const auto reach = static_cast<float>(disc.radius * (*larger + atlas_margin) / *larger);
+  const auto colour = of(disc.colour);
+  const auto centre = of(disc.centre);
+  append_quad(vertices_, {sf::Vertex({centre.x - reach, centre.y - reach}, colour, {0, top}),
+                          sf::Vertex({centre.x + reach, centre.y - reach}, colour, {cell, top}),
+                          sf::Vertex({centre.x + reach, centre.y + reach}, colour, {cell, top + cell}),
+                          sf::Vertex({centre.x - reach, centre.y + reach}, colour, {0, top + cell})});
+}
+
+void SfmlCanvas::append_ring(const Disc& disc) {
+  const double middle = (disc.radius + disc.hole) / 2;
+  const int sides = std::clamp(static_cast<int>(4 * std::sqrt(disc.radius)), 12, 180);
+  const double angle = 2 * std::numbers::pi / sides;
+  ring_.clear();
+  for (int k = 0; k <= sides + 1; ++k) {  // one side twice, so that first and last joint are mitred too
+    ring_.push_back(
+        {disc.centre.x + middle * std::cos(k * angle), disc.centre.y + middle * std::sin(k * angle)});
+  }
+  append_band(ring_, disc.colour, disc.radius - disc.hole, 1);
 }
 
 /// A band of full colour with a faded rim of one pixel on each side; neighbouring segments share their
-/// corners on the bisector of the angle between them, whose length is bounded at sharp turns.
-void SfmlCanvas::line(std::span<const Point> points, Colour colour, double width) {
+/// corners on the bisector of the angle between them, whose length is bounded at sharp turns. The first
+/// `hidden` segments only prepare the joint of the next one.
+void SfmlCanvas::append_band(std::span<const Point> points, Colour colour, double width, std::size_t hidden) {
   if (points.size() < 2) return;
   const auto normal = [](Point from, Point to) -> Point {
     const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     return length > 0 ? Point{-dy / length, dx / length} : Point{0, 0};
   };
-  // Thinner than a pixel: one pixel wide, but paler.
-  const double drawn = std::max(width, 1.0);
-  auto full = colour;
-  full.opacity *= static_cast<float>(width / drawn);
+  const double drawn = std::max(width, 1.0);  // thinner than a pixel: one pixel wide, but paler
+  colour.opacity *= static_cast<float>(width / drawn);
+  const auto solid = of(colour);
+  const auto faded = sf::Color(solid.r, solid.g, solid.b, 0);
+  const std::array<sf::Color, 4> shades{faded, solid, solid, faded};
   const double inner = (drawn - 1) / 2, outer = (drawn + 1) / 2;
-  corners_.clear();
+  const std::array<double, 4> offsets{-outer, -inner, inner, outer};
+  std::array<sf::Vertex, 4> last{}, next{};
   Point before{0, 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point after = i + 1 < points.size() ? normal(points[i], points[i + 1]) : before;
-    const Point first = i == 0 || before == Point{0, 0} ? after : before;
-    const Point sum{first.x + after.x, first.y + after.y};
-    const double squared = std::max(sum.x * sum.x + sum.y * sum.y, 0.5);  // longest mitre: 2.8 half widths
-    const Point mitre{2 * sum.x / squared, 2 * sum.y / squared};
-    for (const double offset : {-outer, -inner, inner, outer}) {
-      corners_.push_back({points[i].x + offset * mitre.x, points[i].y + offset * mitre.y});
+    Point after = i + 1 < points.size() ? normal(points[i], points[i + 1]) : before;
+    if (after == Point{0, 0}) after = before;  // two points in one place
+    if (before == Point{0, 0}) before = after;
+    const Point sum{before.x + after.x, before.y + after.y};
+    const double squared =
+        std::max(sum.x * sum.x + sum.y * sum.y, 0.5);  // the longest mitre: 2.8 half widths
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+      const double reach = 2 * offsets[edge] / squared;
+      next[edge] = sf::Vertex(of(Point{points[i].x + reach * sum.x, points[i].y + reach * sum.y}),
+                              shades[edge], white());
     }
-    before = after == Point{0, 0} ? before : after;
+    for (std::size_t edge = 0; i > hidden && edge < 3; ++edge) {
+      append_quad(vertices_, {last[edge], next[edge], next[edge + 1], last[edge + 1]});
+    }
+    last = next;
+    before = after;
   }
-  const auto solid = of(full);
-  const auto faded = of(Colour{colour.red, colour.green, colour.blue, 0});
-  const std::array<sf::Color, 4> shades{faded, solid, solid, faded};
+}
+
+void SfmlCanvas::line(std::span<const Point> points, Colour colour, double width) {
   vertices_.clear();
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    for (std::size_t edge = 0; edge < 3; ++edge) {
-      const std::size_t a = 4 * i + edge, b = a + 4;
-      append_quad(vertices_,
-                  {sf::Vertex(of(corners_[a]), shades[edge]), sf::Vertex(of(corners_[b]), shades[edge]),
-                   sf::Vertex(of(corners_[b + 1]), shades[edge + 1]),
-                   sf::Vertex(of(corners_[a + 1]), shades[edge + 1])});
-    }
-  }
-  target_.draw(vertices_.data(), vertices_.size(), sf::Triangles);
+  append_band(points, colour, width, 0);
+  draw_vertices();
+}
+
+void SfmlCanvas::segments(std::span<const Point> ends, Colour colour, double width) {
+  vertices_.clear();
+  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) append_band(ends.subspan(k, 2), colour, width, 0);
+  draw_vertices();
+}
+
+void SfmlCanvas::draw_vertices() {
+  if (!vertices_.empty()) target_.draw(vertices_.data(), vertices_.size(), sf::Triangles, &disc_atlas_);
 }
 
 void SfmlCanvas::text(Point at, std::string_view utf8, double height, Colour colour, Align align) {

@@ -24,6 +24,7 @@ class SfmlCanvas final : public Canvas {
   void rectangle(const Box& box, Colour fill) override;
   void discs(std::span<const Disc> discs) override;
   void line(std::span<const Point> points, Colour colour, double width) override;
+  void segments(std::span<const Point> ends, Colour colour, double width) override;
   void text(Point at, std::string_view utf8, double height, Colour colour,
             Align align = Align::left) override;
   [[nodiscard]] double text_width(std::string_view utf8, double height) const override;
@@ -31,12 +32,17 @@ class SfmlCanvas final : public Canvas {
   void unclip() override;
 
  private:
+  void append_disc(const Disc& disc);
+  void append_ring(const Disc& disc);
+  void append_band(std::span<const Point> points, Colour colour, double width, std::size_t hidden);
+  void draw_vertices();
+
   sf::RenderTarget& target_;
   sf::Font font_;
   bool has_font_ = false;
   sf::Texture disc_atlas_;
   std::vector<sf::Vertex> vertices_;
-  std::vector<Point> corners_;  ///< of a thick line: four per point, from its left to its right edge
+  std::vector<Point> ring_;
 };
 
 }  // namespace clapotis
