@@ -2,6 +2,8 @@
 
 #include <SFML/Graphics.hpp>
 #include <SFML/Window/Clipboard.hpp>
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <optional>
 
@@ -173,11 +175,25 @@ double thread_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// 1 up to 1080 rows, then in quarters: 2 on a screen of 2160.
+double scale_of_desktop() {
+  return std::max(1.0, std::floor(4.0 * sf::VideoMode::getDesktopMode().height / 1080) / 4);
+}
+
+sf::VideoMode mode(int width, int height, double scale) {
+  const auto desktop = sf::VideoMode::getDesktopMode();
+  const auto pixels = [scale](int length, unsigned most) {
+    return std::min(static_cast<unsigned>(std::lround(scale * length)), most);
+  };
+  return {pixels(width, desktop.width), pixels(height, desktop.height)};
+}
+
 }  // namespace
 
 struct Screen::Parts {
-  Parts(const std::string& title, int width, int height, double scale)
-      : window(sf::VideoMode(static_cast<unsigned>(width), static_cast<unsigned>(height)), title),
+  Parts(const std::string& title, int width, int height, double wanted_scale)
+      : scale(wanted_scale > 0 ? wanted_scale : scale_of_desktop()),
+        window(mode(width, height, scale), title),
         canvas(window),
         imgui(scale, {[] { return utf8(sf::Clipboard::getString()); },
                       [](const std::string& text) {
@@ -185,6 +201,7 @@ struct Screen::Parts {
                       }}) {
     window.setFramerateLimit(60);  // not vertical sync: some drivers stop a minimised window for good
   }
+  double scale;
   sf::RenderWindow window;
   SfmlCanvas canvas;
   ImGuiLayer imgui;
@@ -215,6 +232,7 @@ void Screen::begin_frame(Colour background) {
 }
 
 void Screen::end_frame() {
+  parts_->canvas.flush();
   parts_->window.pushGLStates();
   parts_->imgui.paint();
   parts_->window.popGLStates();
@@ -232,6 +250,7 @@ Point Screen::size() const {
   return {static_cast<double>(size.x), static_cast<double>(size.y)};
 }
 
+double Screen::scale() const { return parts_->scale; }
 bool Screen::panel_wants_mouse() const { return parts_->imgui.wants_mouse(); }
 bool Screen::panel_wants_text() const { return parts_->imgui.wants_text(); }
 double Screen::frame_cpu_seconds() const { return parts_->frame_cpu; }

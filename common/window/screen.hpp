@@ -12,7 +12,8 @@ namespace clapotis {
 /// sfml_canvas.cpp the only place that knows SFML. Ask `display_available()` first.
 class Screen {
  public:
-  /// Width and height [pixel]; `scale` multiplies fonts and distances of the panel.
+  /// Width and height [pixel] at scale 1, at most those of the screen. `scale` multiplies everything; 0 takes
+  /// one that suits the screen's height.
   Screen(const std::string& title, int width, int height, double scale);
   ~Screen();
 
@@ -26,6 +27,7 @@ class Screen {
   void title(const std::string& ascii);
   [[nodiscard]] unsigned long handle() const;  ///< the operating system's name for the window
   [[nodiscard]] Point size() const;
+  [[nodiscard]] double scale() const;
   [[nodiscard]] bool panel_wants_mouse() const;
   [[nodiscard]] bool panel_wants_text() const;
   /// Processor time [s] that our own thread spent between the last begin_frame and end_frame; the graphics

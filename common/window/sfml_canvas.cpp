@@ -17,7 +17,7 @@ namespace {
 
 sf::Color of(Colour c) {
   const auto byte = [](float part) {
-    return static_cast<sf::Uint8>(std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+    return static_cast<sf::Uint8>(255 * std::clamp(part, 0.0f, 1.0f) + 0.5f);
   };
   return {byte(c.red), byte(c.green), byte(c.blue), byte(c.opacity)};
 }
@@ -26,9 +26,12 @@ sf::Vector2f of(Point p) { return {static_cast<float>(p.x), static_cast<float>(p
 
 sf::String of(std::string_view utf8) { return sf::String::fromUtf8(utf8.begin(), utf8.end()); }
 
-/// One smooth disc in each size 4, 8, ... 256 pixels of radius, below one another: a disc is drawn from the
-/// next larger one, shrunk by less than two, so that its edge stays one pixel soft at every size.
-constexpr std::array<unsigned, 7> atlas_radii{4, 8, 16, 32, 64, 128, 256};
+// The one texture: white, with all shapes in its opacity.
+// Discs of radius 1, 2, 4, ... 256 pixels, below one another: a disc is drawn from the next larger one,
+// shrunk by less than two, so that its edge stays one pixel soft at every size. Beside the first discs, the
+// cross sections of lines.
+
+constexpr std::array<unsigned, 9> atlas_radii{1, 2, 4, 8, 16, 32, 64, 128, 256};
 constexpr unsigned atlas_margin = 2;  ///< transparent pixels around each disc
 constexpr unsigned atlas_cell(unsigned radius) { return 2 * (radius + atlas_margin); }
 
@@ -38,22 +41,68 @@ constexpr unsigned atlas_row(std::size_t level) {
   return row;
 }
 
-sf::Image disc_atlas() {
+/// The smallest disc that is not smaller.
+std::size_t atlas_level(double radius) {
+  const auto larger = std::lower_bound(atlas_radii.begin(), atlas_radii.end() - 1, radius,
+                                       [](unsigned size, double wanted) { return size < wanted; });
+  return static_cast<std::size_t>(larger - atlas_radii.begin());
+}
+
+constexpr double thinnest = 1, thickest = 8;  // lines with a cross section of their own [pixel]
+constexpr unsigned sections_left = 16,
+                   section_width = 4;  // place of the first one, and of the next ones after it
+constexpr unsigned section_rows = 12;
+constexpr double sections_per_pixel = 4, section_middle = section_rows / 2.0;
+
+/// Opacity at `distance` from the middle of a shape that reaches to `radius`: its edge is one pixel soft.
+sf::Color covered(double radius, double distance) {
+  return {255, 255, 255,
+          static_cast<sf::Uint8>(std::lround(255 * std::clamp(radius + 0.5 - distance, 0.0, 1.0)))};
+}
+
+sf::Image make_atlas() {
   sf::Image image;
   image.create(atlas_cell(atlas_radii.back()), atlas_row(atlas_radii.size()), sf::Color(255, 255, 255, 0));
   for (std::size_t level = 0; level < atlas_radii.size(); ++level) {
-    const double radius = atlas_radii[level];
     const unsigned cell = atlas_cell(atlas_radii[level]);
     for (unsigned y = 0; y < cell; ++y) {
       for (unsigned x = 0; x < cell; ++x) {
         const double distance = std::hypot(x + 0.5 - cell / 2.0, y + 0.5 - cell / 2.0);
-        const double covered = std::clamp(radius + 0.5 - distance, 0.0, 1.0);
-        image.setPixel(x, atlas_row(level) + y,
-                       sf::Color(255, 255, 255, static_cast<sf::Uint8>(std::lround(255 * covered))));
+        image.setPixel(x, atlas_row(level) + y, covered(atlas_radii[level], distance));
+      }
+    }
+  }
+  for (unsigned k = 0; thinnest + k / sections_per_pixel <= thickest; ++k) {
+    for (unsigned x = 0; x < section_width; ++x) {
+      for (unsigned y = 0; y < section_rows; ++y) {
+        image.setPixel(sections_left + section_width * k + x, y,
+                       covered((thinnest + k / sections_per_pixel) / 2, std::abs(y + 0.5 - section_middle)));
       }
     }
   }
   return image;
+}
+
+struct CrossSection {
+  sf::Vector2f left, right;  ///< of the texture [pixel]
+  double reach;              ///< from the middle of the line to where it has faded [pixel]
+};
+
+CrossSection cross_section(double width) {
+  if (width <= thickest) {
+    const auto k = static_cast<float>(std::lround(sections_per_pixel * (width - thinnest)));
+    const float x = static_cast<float>(sections_left) + static_cast<float>(section_width) * (k + 0.5f);
+    const double reach = (width + 1) / 2;
+    return {{x, static_cast<float>(section_middle - reach)},
+            {x, static_cast<float>(section_middle + reach)},
+            reach};
+  }
+  const auto level = atlas_level(width / 2);  // that of a disc
+  const auto cell = static_cast<float>(atlas_cell(atlas_radii[level])),
+             top = static_cast<float>(atlas_row(level));
+  return {{cell / 2, top},
+          {cell / 2, top + cell},
+          width / 2 * (atlas_radii[level] + atlas_margin) / atlas_radii[level]};
 }
 
 /// Inside the largest disc everything is white: what is not textured takes its colour from there.
@@ -63,7 +112,7 @@ sf::Vector2f white() {
 }
 
 void append_quad(std::vector<sf::Vertex>& vertices, const std::array<sf::Vertex, 4>& quad) {
-  for (const std::size_t corner : {0, 1, 2, 0, 2, 3}) vertices.push_back(quad[corner]);
+  vertices.insert(vertices.end(), quad.begin(), quad.end());
 }
 
 unsigned font_pixels(double height) { return static_cast<unsigned>(std::max(1L, std::lround(height))); }
@@ -71,8 +120,8 @@ unsigned font_pixels(double height) { return static_cast<unsigned>(std::max(1L, 
 }  // namespace
 
 SfmlCanvas::SfmlCanvas(sf::RenderTarget& target) : target_(target) {
-  disc_atlas_.loadFromImage(disc_atlas());
-  disc_atlas_.setSmooth(true);
+  atlas_.loadFromImage(make_atlas());
+  atlas_.setSmooth(true);
   if (const auto path = find_font("DejaVuSans.ttf")) has_font_ = font_.loadFromFile(path->string());
   if (!has_font_)
     std::fprintf(stderr,
@@ -80,6 +129,7 @@ SfmlCanvas::SfmlCanvas(sf::RenderTarget& target) : target_(target) {
 }
 
 void SfmlCanvas::start(Colour background) {
+  vertices_.clear();
   unclip();
   target_.clear(of(background));
 }
@@ -92,14 +142,13 @@ Point SfmlCanvas::size() const {
 void SfmlCanvas::rectangle(const Box& box, Colour fill) {
   const auto colour = of(fill);
   const Point a = box.corner, b{a.x + box.extent.x, a.y + box.extent.y};
-  const std::array<sf::Vertex, 4> strip{sf::Vertex(of(a), colour), sf::Vertex(of(Point{b.x, a.y}), colour),
-                                        sf::Vertex(of(Point{a.x, b.y}), colour), sf::Vertex(of(b), colour)};
-  target_.draw(strip.data(), strip.size(), sf::TriangleStrip);
+  append_quad(vertices_,
+              {sf::Vertex(of(a), colour, white()), sf::Vertex(of(Point{b.x, a.y}), colour, white()),
+               sf::Vertex(of(b), colour, white()), sf::Vertex(of(Point{a.x, b.y}), colour, white())});
 }
 
 void SfmlCanvas::discs(std::span<const Disc> discs) {
-  vertices_.clear();
-  vertices_.reserve(6 * discs.size());
+  vertices_.reserve(vertices_.size() + 4 * discs.size());
   for (const Disc& disc : discs) {
     if (disc.hole > 0) {
       append_ring(disc);
@@ -107,15 +156,13 @@ void SfmlCanvas::discs(std::span<const Disc> discs) {
       append_disc(disc);
     }
   }
-  draw_vertices();
 }
 
 void SfmlCanvas::append_disc(const Disc& disc) {
-  const auto larger = std::lower_bound(atlas_radii.begin(), atlas_radii.end() - 1, disc.radius,
-                                       [](unsigned size, double radius) { return size < radius; });
-  const auto cell = static_cast<float>(atlas_cell(*larger));
-  const auto top = static_cast<float>(atlas_row(static_cast<std::size_t>(larger - atlas_radii.begin())));
-  const auto reach = static_cast<float>(disc.radius * (*larger + atlas_margin) / *larger);
+  const auto level = atlas_level(disc.radius);
+  const unsigned radius = atlas_radii[level];
+  const auto cell = static_cast<float>(atlas_cell(radius)), top = static_cast<float>(atlas_row(level));
+  const auto reach = static_cast<float>(disc.radius * (radius + atlas_margin) / radius);
   const auto colour = of(disc.colour);
   const auto centre = of(disc.centre);
   append_quad(vertices_, {sf::Vertex({centre.x - reach, centre.y - reach}, colour, {0, top}),
@@ -136,7 +183,7 @@ void SfmlCanvas::append_ring(const Disc& disc) {
   append_band(ring_, disc.colour, disc.radius - disc.hole, 1);
 }
 
-/// A band of full colour with a faded rim of one pixel on each side; neighbouring segments share their
+/// One quad per segment across which the texture fades at both edges; neighbouring segments share their
 /// corners on the bisector of the angle between them, whose length is bounded at sharp turns. The first
 /// `hidden` segments only prepare the joint of the next one.
 void SfmlCanvas::append_band(std::span<const Point> points, Colour colour, double width, std::size_t hidden) {
@@ -145,14 +192,11 @@ void SfmlCanvas::append_band(std::span<const Point> points, Colour colour, doubl
     const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     return length > 0 ? Point{-dy / length, dx / length} : Point{0, 0};
   };
-  const double drawn = std::max(width, 1.0);  // thinner than a pixel: one pixel wide, but paler
+  const double drawn = std::max(width, thinnest);  // thinner than a pixel: one pixel wide, but paler
   colour.opacity *= static_cast<float>(width / drawn);
-  const auto solid = of(colour);
-  const auto faded = sf::Color(solid.r, solid.g, solid.b, 0);
-  const std::array<sf::Color, 4> shades{faded, solid, solid, faded};
-  const double inner = (drawn - 1) / 2, outer = (drawn + 1) / 2;
-  const std::array<double, 4> offsets{-outer, -inner, inner, outer};
-  std::array<sf::Vertex, 4> last{}, next{};
+  const auto shade = of(colour);
+  const auto section = cross_section(drawn);
+  sf::Vertex last_left, last_right;
   Point before{0, 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
     Point after = i + 1 < points.size() ? normal(points[i], points[i + 1]) : before;
@@ -161,37 +205,32 @@ void SfmlCanvas::append_band(std::span<const Point> points, Colour colour, doubl
     const Point sum{before.x + after.x, before.y + after.y};
     const double squared =
         std::max(sum.x * sum.x + sum.y * sum.y, 0.5);  // the longest mitre: 2.8 half widths
-    for (std::size_t edge = 0; edge < 4; ++edge) {
-      const double reach = 2 * offsets[edge] / squared;
-      next[edge] = sf::Vertex(of(Point{points[i].x + reach * sum.x, points[i].y + reach * sum.y}),
-                              shades[edge], white());
-    }
-    for (std::size_t edge = 0; i > hidden && edge < 3; ++edge) {
-      append_quad(vertices_, {last[edge], next[edge], next[edge + 1], last[edge + 1]});
-    }
-    last = next;
+    const Point corner{2 * section.reach / squared * sum.x, 2 * section.reach / squared * sum.y};
+    const sf::Vertex left(of(Point{points[i].x - corner.x, points[i].y - corner.y}), shade, section.left);
+    const sf::Vertex right(of(Point{points[i].x + corner.x, points[i].y + corner.y}), shade, section.right);
+    if (i > hidden) append_quad(vertices_, {last_left, left, right, last_right});
+    last_left = left;
+    last_right = right;
     before = after;
   }
 }
 
 void SfmlCanvas::line(std::span<const Point> points, Colour colour, double width) {
-  vertices_.clear();
   append_band(points, colour, width, 0);
-  draw_vertices();
 }
 
 void SfmlCanvas::segments(std::span<const Point> ends, Colour colour, double width) {
-  vertices_.clear();
   for (std::size_t k = 0; k + 1 < ends.size(); k += 2) append_band(ends.subspan(k, 2), colour, width, 0);
-  draw_vertices();
 }
 
-void SfmlCanvas::draw_vertices() {
-  if (!vertices_.empty()) target_.draw(vertices_.data(), vertices_.size(), sf::Triangles, &disc_atlas_);
+void SfmlCanvas::flush() {
+  if (!vertices_.empty()) target_.draw(vertices_.data(), vertices_.size(), sf::Quads, &atlas_);
+  vertices_.clear();
 }
 
 void SfmlCanvas::text(Point at, std::string_view utf8, double height, Colour colour, Align align) {
   if (!has_font_) return;
+  flush();
   const unsigned pixels = font_pixels(height);
   const double share = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
   sf::Text text(of(utf8), font_, pixels);
@@ -210,6 +249,7 @@ double SfmlCanvas::text_width(std::string_view utf8, double height) const {
 }
 
 void SfmlCanvas::clip(const Box& box) {
+  flush();
   const auto whole = size();
   if (whole.x < 1 || whole.y < 1) return;
   const auto left = std::clamp(std::round(box.corner.x), 0.0, whole.x);
@@ -228,6 +268,7 @@ void SfmlCanvas::clip(const Box& box) {
 }
 
 void SfmlCanvas::unclip() {
+  flush();
   const auto whole = size();
   target_.setView(sf::View(sf::FloatRect({0, 0}, of(whole))));
 }

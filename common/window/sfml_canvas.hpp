@@ -19,6 +19,9 @@ class SfmlCanvas final : public Canvas {
 
   /// Forgets the last picture and takes over the target's present size.
   void start(Colour background);
+  /// Hands over what waits. Everything but text is triangles of one texture: what comes between two texts or
+  /// clips is one draw call, all discs of a picture among them.
+  void flush();
 
   [[nodiscard]] Point size() const override;
   void rectangle(const Box& box, Colour fill) override;
@@ -35,12 +38,11 @@ class SfmlCanvas final : public Canvas {
   void append_disc(const Disc& disc);
   void append_ring(const Disc& disc);
   void append_band(std::span<const Point> points, Colour colour, double width, std::size_t hidden);
-  void draw_vertices();
 
   sf::RenderTarget& target_;
   sf::Font font_;
   bool has_font_ = false;
-  sf::Texture disc_atlas_;
+  sf::Texture atlas_;
   std::vector<sf::Vertex> vertices_;
   std::vector<Point> ring_;
 };

@@ -12,15 +12,38 @@ constexpr Colour button{0.875f, 0.895f, 0.915f};
 
 }  // namespace
 
+ImVec4 vec(Colour colour) { return of(colour); }
+
+// The bold face is the second that was loaded, where it is installed.
+Bold::Bold() {
+  const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::PushFont(fonts.back(), 0);
+#else
+  ImGui::PushFont(fonts.back());
+#endif
+}
+
+Bold::~Bold() { ImGui::PopFont(); }
+
+Main::Main() {
+  ImGui::PushStyleColor(ImGuiCol_Button, of(accent));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, of({0.15f, 0.44f, 0.68f}));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, of({0.07f, 0.29f, 0.48f}));
+  ImGui::PushStyleColor(ImGuiCol_Text, of(white));
+}
+
+Main::~Main() { ImGui::PopStyleColor(4); }
+
 void apply(double scale) {
   ImGui::StyleColorsLight();
   auto& style = ImGui::GetStyle();
-  style.WindowPadding = {14, 12};
-  style.FramePadding = {8, 5};
-  style.ItemSpacing = {8, 7};
-  style.ItemInnerSpacing = {8, 5};
+  style.WindowPadding = {14, 10};
+  style.FramePadding = {8, 3};
+  style.ItemSpacing = {8, 6};
+  style.ItemInnerSpacing = {6, 4};
   style.ScrollbarSize = 14;
-  style.GrabMinSize = 14;
+  style.GrabMinSize = 10;
   style.WindowRounding = 0;
   style.FrameRounding = style.GrabRounding = style.PopupRounding = 4;
   style.WindowBorderSize = 0;
@@ -39,8 +62,8 @@ void apply(double scale) {
   colours[ImGuiCol_Button] = of(button);
   colours[ImGuiCol_ButtonHovered] = of({0.80f, 0.86f, 0.92f});
   colours[ImGuiCol_ButtonActive] = of({0.70f, 0.80f, 0.90f});
-  colours[ImGuiCol_SliderGrab] = of(accent, 0.75f);
-  colours[ImGuiCol_SliderGrabActive] = of(accent);
+  colours[ImGuiCol_SliderGrab] = of(accent, 0.42f);
+  colours[ImGuiCol_SliderGrabActive] = of(accent, 0.6f);
   colours[ImGuiCol_CheckMark] = of(accent);
   colours[ImGuiCol_Header] = of({0.86f, 0.905f, 0.95f});
   colours[ImGuiCol_HeaderHovered] = of({0.80f, 0.87f, 0.94f});

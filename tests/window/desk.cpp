@@ -262,7 +262,7 @@ void Desk::drag(int from_x, int from_y, int to_x, int to_y, int button) {
 }
 
 void Desk::key(const std::string& keysym) { xdotool({"key", "--clearmodifiers", keysym}); }
-void Desk::type(const std::string& text) { xdotool({"type", "--delay", "20", text}); }
+void Desk::type(const std::string& text) { xdotool({"type", "--delay", "20", "--", text}); }
 
 void Desk::control_click(int x, int y) {
   xdotool({"mousemove", "--window", window_, std::to_string(x), std::to_string(y), "keydown", "ctrl", "click",
