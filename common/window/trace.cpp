@@ -6,18 +6,28 @@
 namespace clapotis {
 
 Trace::Trace() {
-  if (const char* path = std::getenv("CLAPOTIS_TRACE"); path && *path) file_.open(path, std::ios::app);
+  if (const char* path = std::getenv("CLAPOTIS_TRACE"); path != nullptr && *path != '\0')
+    file_.open(path, std::ios::app);
+}
+
+Trace::~Trace() {
+  flush();
+  flush();
 }
 
 void Trace::say(std::string line) {
-  if (active()) lines_.push_back(std::move(line));
+  if (active()) said_.push_back(std::move(line));
+}
+
+void Trace::place(const std::string& line) {
+  if (active()) file_ << line << '\n';
 }
 
 void Trace::flush() {
-  if (lines_.empty()) return;
-  for (const auto& line : lines_) file_ << line << '\n';
+  if (!active()) return;
+  for (const auto& line : settled_) file_ << line << '\n';
   file_.flush();
-  lines_.clear();
+  settled_ = std::exchange(said_, {});
 }
 
 }  // namespace clapotis
