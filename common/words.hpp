@@ -44,6 +44,24 @@ struct Words {
       help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
       help_frames, help_picture, help_list, help_json, help_quiet, help_paused, help_scale, help_version,
       help_help, help_epilogue;
+
+  // window: its own table, so that its many short words need no prefix
+  struct Window {
+    // the buttons and the rows of the panel
+    std::string_view run, pause, step, reset, speed, slower_than_asked, scene, seed, integrator, live,
+        restart, defaults, automatic, type_hint, time_step, share_of_limit, view, colour_by, lock_range, grid,
+        vectors, plots, cost, particles, step_cost, pairs_near, pairs_tested, frames, frame_cost;
+    // what is painted over the scene
+    std::string_view particle, position, velocity, acceleration, tested, near, velocity_scale, diverged,
+        try_another;
+    // notices
+    std::string_view picture_saved;
+    // the help
+    std::string_view help_title, help_close, key_space, key_click, key_wheel, key_middle_drag,
+        key_control_click, does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock,
+        does_grid, does_neighbour, does_vectors, does_plots, does_panel, does_view, does_picture, does_help,
+        does_quit, does_select, does_zoom, does_pan, does_type;
+  } window;
 };
 
 /// The words of the language in use.
