@@ -136,6 +136,7 @@ void Simulation::advance(double dt) {
     cost_.integration += timed_every * (integrated - inside);
     cost_.walls += timed_every * (settled - integrated);
     model.seconds = {};
+    model.timed = false;  // what comes between two steps does not count
   }
 }
 
