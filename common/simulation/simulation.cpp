@@ -143,13 +143,12 @@ void Simulation::advance(double dt) {
 void Simulation::check(double dt) {
   const double speed = max_speed(particles());
   const bool finite = std::isfinite(speed) && particles().position.allFinite();
-  if (finite && speed <= fastest_) return;
+  if (finite && (speed <= fastest_ || fastest_ == 0)) return;
 
   Index particle = 0;
   for (Index i = 0; i < particles().size(); ++i) {
-    const double v = norm(row(particles().velocity, i));
-    const Vector r = row(particles().position, i);
-    if (!std::isfinite(v) || !std::isfinite(r.x + r.y) || v > fastest_) {
+    const Vector r = row(particles().position, i), v = row(particles().velocity, i);
+    if (finite ? dot(v, v) > fastest_ * fastest_ : !std::isfinite(dot(v, v)) || !std::isfinite(r.x + r.y)) {
       particle = i;
       break;
     }
@@ -208,7 +207,9 @@ void Simulation::look(const std::function<void(const System&)>& look) {
   auto& s = *system_;
   const Vectors acceleration = s.acceleration;
   const double dissipation = s.dissipation;
+  const auto coincident = s.model.coincident;
   s.model.evaluate(s, s.time);
+  s.model.coincident = coincident;
   look(s);
   s.acceleration = acceleration;
   s.dissipation = dissipation;

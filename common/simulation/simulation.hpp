@@ -87,7 +87,7 @@ class Simulation {
   std::unique_ptr<Integrator> integrator_;
   std::vector<StepLimit> limits_;
   double dt_ = 0, sound_speed_ = 0;
-  double fastest_ = 0;  ///< a particle beyond this speed has gained energy from nowhere [L/s]
+  double fastest_ = 0;  ///< a particle beyond this speed has gained energy from nowhere; 0: unknown [L/s]
   long steps_ = 0;
   Clock clock_;
   std::unique_ptr<Checkpoint> checkpoint_;

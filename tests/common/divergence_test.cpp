@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/simulation/errors.hpp"
+#include "stage2_cloud/scenes.hpp"
 #include "tests/catch.hpp"
 #include "tests/stage1/drop.hpp"
 
@@ -121,6 +122,28 @@ TEST_CASE("a number that is not one is found at once, wherever it sits", "[simul
     }
     CHECK(same_state(simulation, twin));
   }
+}
+
+TEST_CASE("the particle that is named is the one that went wrong", "[simulation]") {
+  const auto stage = stage2::stage();
+  Simulation simulation(stage.scene("cloud"), typed({{"particles", 20.0}, {"dt", 1e-3}}));
+  run_steps(simulation, 3);
+  simulation.system().velocity(3, 0) = 1;
+  simulation.system().velocity(7, 1) = 1e5;  // a fall of 600 px ends with 775 px/s
+  try {
+    simulation.step();
+    FAIL("it went unnoticed");
+  } catch (const Diverged& diverged) {
+    CHECK(diverged.particle == 7);
+  }
+}
+
+TEST_CASE("where nothing falls no speed is too high, but a NaN is still found", "[simulation]") {
+  Simulation simulation(drop(), typed({{"gravity", 0.0}, {"drag", 0.0}, {"dt", 0.01}}));
+  simulation.system().velocity(0, 0) = 50;
+  CHECK_NOTHROW(simulation.step());
+  simulation.system().velocity(0, 0) = std::nan("");
+  CHECK_THROWS_AS(simulation.step(), Diverged);
 }
 
 TEST_CASE("what a divergence repeats is not counted twice", "[simulation]") {
