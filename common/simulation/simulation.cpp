@@ -20,7 +20,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 std::string about(std::string_view sentence, double dt, const StepLimit& limit) {
-  return say(sentence, fmt::arg("dt", to_text(dt)),
+  return say(sentence, fmt::arg("dt", fmt::format("{:.4g}", dt)),
              fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
              fmt::arg("formula", limit.formula));
 }
@@ -160,11 +160,11 @@ void Simulation::check(double dt) {
                              : std::string(words().diverged_nan)) +
                      (broken != nullptr ? about(words().cause_limit, dt, *broken)
                                         : say(words().cause_scheme, fmt::arg("integrator", integrator_name_),
-                                              fmt::arg("dt", to_text(dt))));
+                                              fmt::arg("dt", fmt::format("{:.4g}", dt))));
   const long step = steps_;
   const double t = time();
   go_back(step - 1);
-  throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", to_text(t)),
+  throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", fmt::format("{:.6g}", t)),
                      fmt::arg("particle", particle), fmt::arg("cause", cause)),
                  step, t, particle);
 }
