@@ -102,6 +102,41 @@ constexpr Words english{
     .mechanical = "mechanical",
     .total = "with what was lost",
     .chosen_particle = "particle {id}: {count} neighbours",
+    .compare_side = "{side} is not STAGE/SCENE[:NAME=VALUE,...]",
+    .compare_assignment = "{side}: {text} is not NAME=VALUE",
+    .compare_two_sides = "a comparison takes two of STAGE/SCENE[:NAME=VALUE,...], not {count}",
+    .compare_two_ends = "--until and --steps: a comparison ends at one of them",
+    .compare_units = "the sides measure in {left} and in {right}: they cannot be compared",
+    .compare_counts = "the sides have {left} and {right} particles: only equal numbers can be compared",
+    .compare_other_start =
+        "the sides do not begin alike: particles are up to {largest} {unit} apart at t = 0",
+    .compare_title = "{folder}: compared until t = {time} s\n",
+    .compare_side_line =
+        "{name} {side}\n"
+        "  steps     {steps} of {dt} s with {integrator}, {evaluations} force evaluations\n"
+        "  cost      {cpu} s of processor time, {step} ms per step\n"
+        "  energy    total drifts by {drift} of its start\n",
+    .compare_left = "left",
+    .compare_right = "right",
+    .compare_end =
+        "difference at the end: largest {largest} {unit} ({share} % of the box's diagonal), rms {rms} "
+        "{unit}\n",
+    .compare_largest =
+        "difference at most:    {largest} {unit} ({share} %), at t = {time} s, particle {particle}\n",
+    .compare_ratio = "right over left:       {cpu} in processor time, {step} per step\n",
+    .compare_plot = "Difference",
+    .compare_curve_largest = "largest",
+    .compare_curve_rms = "rms",
+    .help_compare =
+        "Runs two scenes from the same start on a common clock and says how far apart they come. With the "
+        "same "
+        "time step they are compared after each step; otherwise at common instants, neither trajectory "
+        "altered.",
+    .help_side = "STAGE/SCENE[:NAME=VALUE,...]; NAME is a parameter, integrator or threads",
+    .help_compare_steps = "stop after so many steps of the left side",
+    .help_compare_every = "simulated time between two rows of compare.csv [s]",
+    .help_compare_out = "the folder to leave; runs/compare-DATE otherwise",
+    .help_compare_json = "print compare.json for a program to read",
     .help_scene = "the scene, by name; the first one otherwise",
     .help_headless = "no window; leaves a run folder and prints a summary",
     .help_until = "stop at this simulated time [s]; 5 when neither --until nor --steps is given",
@@ -115,9 +150,8 @@ constexpr Words english{
     .help_out = "the run folder; runs/STAGE-SCENE-DATE otherwise",
     .help_force = "replace the earlier run in --out",
     .help_every =
-        "simulated time between two rows of series.csv [s]; by default each step of a short run, 500 rows of "
-        "a "
-        "long one",
+        "simulated time between two rows of series.csv [s]; otherwise each step of a short run, some "
+        "500 rows of a long one",
     .help_frames = "also write all particles to frames/NNNN.csv at this interval [s]",
     .help_picture = "also write a picture here, .png, .svg or .pdf",
     .help_list = "print scenes, parameters or integrators, and end",
@@ -134,6 +168,76 @@ constexpr Words english{
         "Exit codes: 0 done, 1 a check failed, 2 usage or bad parameter, 3 no display, 4 input or output,\n"
         "5 diverged, 130 interrupted (what was computed is kept).\n\n"
         "Example: {stage} {scene} --headless --until 2 --set gravity=3 --out runs/moon",
+
+    .window =
+        {
+            .run = "Run",
+            .pause = "Pause",
+            .step = "Step",
+            .reset = "Reset",
+            .speed = "speed",
+            .slower_than_asked = "runs at x{factor}",
+            .scene = "scene",
+            .seed = "seed",
+            .integrator = "integrator",
+            .live = "Parameters (live)",
+            .restart = "Start (a change restarts)",
+            .defaults = "Defaults",
+            .automatic = "auto",
+            .type_hint = "{meaning}\n{allowed}\nCtrl-click or right-click to type a value",
+            .time_step = "Time step",
+            .share_of_limit = "{share} % of the limit {limit} s\n{name}: {formula}",
+            .view = "View",
+            .colour_by = "colour",
+            .lock_range = "lock",
+            .grid = "grid",
+            .vectors = "velocities",
+            .plots = "energies",
+            .cost = "Cost",
+            .particles = "N = {count}",
+            .step_cost = "{time} per step",
+            .pairs_near = "{count} pairs in reach",
+            .pairs_tested = "of {count} tested",
+            .frames = "{count} frames/s",
+            .frame_cost = "{time} to paint one",
+            .particle = "particle {id}",
+            .position = "r",
+            .velocity = "v",
+            .acceleration = "a",
+            .tested = "{count} tested",
+            .near = "{count} in reach",
+            .velocity_scale = "{speed} {unit}",
+            .diverged = "The run stopped: its last good state is shown",
+            .try_another = "or start again with",
+            .picture_saved = "Saved {file}",
+            .help_title = "Keys and mouse",
+            .help_close = "Esc closes this",
+            .key_space = "Space",
+            .key_click = "Click",
+            .key_wheel = "Wheel",
+            .key_middle_drag = "Middle drag",
+            .key_control_click = "Ctrl-click on a value",
+            .does_pause = "run or pause",
+            .does_step = "one step (with Shift: ten)",
+            .does_reset = "reset, same seed",
+            .does_speed = "faster, slower",
+            .does_scene = "previous, next scene",
+            .does_colour = "colour by the next quantity",
+            .does_lock = "lock the range of the colours",
+            .does_grid = "grid of cells",
+            .does_neighbour = "previous, next particle",
+            .does_vectors = "velocities",
+            .does_plots = "energies and error over time",
+            .does_panel = "hide or show the panel",
+            .does_view = "whole scene",
+            .does_picture = "save a picture",
+            .does_help = "this help",
+            .does_quit = "close what is open, then quit",
+            .does_select = "look at one particle and its neighbours",
+            .does_zoom = "zoom",
+            .does_pan = "move the view",
+            .does_type = "type it (Enter takes it)",
+        },
 };
 
 const std::map<std::string_view, std::string_view>& meanings() {

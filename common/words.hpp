@@ -34,11 +34,34 @@ struct Words {
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
       column_meaning, plot_energies, plot_error, kinetic, potential, elastic, mechanical, total,
       chosen_particle;
+  // runner: comparison
+  std::string_view compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
+      compare_counts, compare_other_start, compare_title, compare_side_line, compare_left, compare_right,
+      compare_end, compare_largest, compare_ratio, compare_plot, compare_curve_largest, compare_curve_rms,
+      help_compare, help_side, help_compare_steps, help_compare_every, help_compare_out, help_compare_json;
   // runner: help
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
       help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
       help_frames, help_picture, help_list, help_json, help_quiet, help_paused, help_scale, help_version,
       help_help, help_epilogue;
+
+  // window: its own table, so that its many short words need no prefix
+  struct Window {
+    // the buttons and the rows of the panel
+    std::string_view run, pause, step, reset, speed, slower_than_asked, scene, seed, integrator, live,
+        restart, defaults, automatic, type_hint, time_step, share_of_limit, view, colour_by, lock_range, grid,
+        vectors, plots, cost, particles, step_cost, pairs_near, pairs_tested, frames, frame_cost;
+    // what is painted over the scene
+    std::string_view particle, position, velocity, acceleration, tested, near, velocity_scale, diverged,
+        try_another;
+    // notices
+    std::string_view picture_saved;
+    // the help
+    std::string_view help_title, help_close, key_space, key_click, key_wheel, key_middle_drag,
+        key_control_click, does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock,
+        does_grid, does_neighbour, does_vectors, does_plots, does_panel, does_view, does_picture, does_help,
+        does_quit, does_select, does_zoom, does_pan, does_type;
+  } window;
 };
 
 /// The words of the language in use.

@@ -46,7 +46,7 @@ Reference exact_fall(Parameters& p) {
                           .drag_time = tau,
                           .restitution = p.value("restitution")};
   const double x0 = p.value("x0"), vx0 = p.value("vx0");
-  return {.name = "closed_form",
+  return {.name = "closed form",
           .measure = "|y - y_exact|",
           .unit = p.length_unit(),
           .source = "y'' = -g - y'/tau, v+ = -e v-, solved in closed form between impacts",
@@ -63,7 +63,7 @@ Reference exact_fall(Parameters& p) {
 Setup drop(Parameters& p) {
   const double w = p.number(box_width), h = p.number(box_height), radius = p.number(disc_radius);
   auto setup = one_particle<FusedModel<NoPairs, UniformMass, Gravity, AirDrag, CentreFloor>>(
-      p, {-radius, w + radius, -2 * radius, h});
+      p, {-radius, w + radius, -radius, h});
   setup.reference = exact_fall(p);
   return setup;
 }

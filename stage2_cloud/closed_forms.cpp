@@ -34,7 +34,7 @@ std::optional<Reference> head_on_collision(const Parameters& p, const Particles&
   const auto inside = [walls](double x, double height) {
     return x >= walls.left && x <= walls.right && height >= walls.bottom && height <= walls.top;
   };
-  return Reference{.name = "closed_form",
+  return Reference{.name = "closed form",
                    .measure = "max |x - x_exact|",
                    .unit = p.length_unit(),
                    .source = "linear spring between two discs: half a period, pi sqrt(mu/k), of contact",
@@ -60,7 +60,7 @@ Reference column_at_rest(const Parameters& p, Index n) {
                                   p.value("stiffness"), p.value("radius"));
   const Column heights = Eigen::Map<const Column>(rest.heights.data(), n);
   const double x = p.value("width") / 2;
-  return {.name = "closed_form",
+  return {.name = "closed form",
           .measure = "max |y - y_rest|",
           .unit = p.length_unit(),
           .source = "balance of weight and contact forces: the n-th contact from the top overlaps by n m g/k",

@@ -35,7 +35,7 @@ inline const Parameter mass_ratio{.name = "mass_ratio",
 
 /// The laws of a cloud of discs; `Search` is how they find each other.
 template <class Search, class Mass = UniformMass>
-using CloudModel = FusedModel<Search, Mass, Gravity, AirDrag, ContactSpring, BoxWalls>;
+using CloudModel = FusedModel<Search, Mass, Gravity, AirDrag, ContactSpring, SupportingWalls>;
 
 inline View2D whole_box(Parameters& p) { return {0, p.number(box_width), 0, p.number(box_height)}; }
 

@@ -21,31 +21,42 @@ void require_room(double h, double side, const std::string& unit) {
                        fmt::arg("unit", unit)));
 }
 
-double clamp_axis(double low, double high, double e, double dt, double& r, double& v, long long& folded) {
-  if (!(r < low || r > high)) return 0;  // a NaN stays one, to be found
-  const bool below = r < low;
-  const double reach = below ? low - r : r - high;
-  const double before = v;
-  if (reach > high - low) {
-    const double start = std::clamp(r - v * dt, low, high);
-    const auto end = fold(start, (r - start) / dt, dt, low, high, e);
-    const double flights = std::pow(e, end.impacts);
-    r = end.position;
-    v = std::copysign(std::abs(v) * flights, end.velocity);
+/// Normal coordinate and velocity of one particle, and the acceleration that its speed at the wall is
+/// computed with.
+struct Normal {
+  double r, v, a;
+};
+
+/// Energy per unit of mass that the impact takes.
+double clamp_axis(double low, double high, double e, double dt, Normal& n, long long& folded) {
+  if (!(n.r < low || n.r > high)) return 0;  // a NaN stays one, to be found
+  const bool below = n.r < low;
+  const double depth = below ? low - n.r : n.r - high;
+  if (depth > high - low) {
+    const double before = n.v, start = std::clamp(n.r - n.v * dt, low, high);
+    const auto end = fold(start, (n.r - start) / dt, dt, low, high, e);
+    n.r = end.position;
+    n.v = std::copysign(std::abs(n.v) * std::pow(e, end.impacts), end.velocity);
     ++folded;
-  } else {
-    r = below ? low : high;
-    if (below ? v < 0 : v > 0) v = -e * v;
+    return (before * before - n.v * n.v) / 2;
   }
-  return (before * before - v * v) / 2;
+  n.r = below ? low : high;
+  const double inward = below ? -n.v : n.v, pressing = below ? -n.a : n.a;
+  if (inward <= 0) return 0;
+  const double at_wall2 = std::max(inward * inward - 2 * pressing * depth, 0.0);
+  n.v = (below ? e : -e) * std::sqrt(at_wall2);
+  return (1 - e * e) * at_wall2 / 2;
 }
 
-void settle_all(const Walls& walls, System& s, double dt) {
+/// Brings all particles back between the walls. `pressing(i)` is the acceleration that counts for the speed
+/// at the wall.
+template <class Pressing>
+void settle_all(const Walls& walls, System& s, double dt, const Pressing& pressing) {
   std::vector<long long> folded(blocks_of(s.position.rows()), 0);
   s.dissipated_energy += sum_over(s.position.rows(), s.model.threads, [&](Index i, std::size_t block) {
     Vector r = row(s.position, i), v = row(s.velocity, i);
     if (r.x >= walls.left && r.x <= walls.right && r.y >= walls.bottom && r.y <= walls.top) return 0.0;
-    const double lost = s.particles.mass(i) * walls.clamp(r, v, dt, folded[block]);
+    const double lost = s.particles.mass(i) * walls.clamp(r, v, pressing(i), dt, folded[block]);
     s.position.row(i) << r.x, r.y;
     s.velocity.row(i) << v.x, v.y;
     return lost;
@@ -53,11 +64,17 @@ void settle_all(const Walls& walls, System& s, double dt) {
   for (const auto count : folded) s.model.folded += count;
 }
 
+constexpr auto not_counted = [](Index /*i*/) { return Vector{0, 0}; };
+
 }  // namespace
 
-double Walls::clamp(Vector& r, Vector& v, double dt, long long& folded) const {
-  return clamp_axis(left, right, restitution, dt, r.x, v.x, folded) +
-         clamp_axis(bottom, top, restitution, dt, r.y, v.y, folded);
+double Walls::clamp(Vector& r, Vector& v, const Vector& a, double dt, long long& folded) const {
+  Normal x{r.x, v.x, a.x}, y{r.y, v.y, a.y};
+  const double lost = clamp_axis(left, right, restitution, dt, x, folded) +
+                      clamp_axis(bottom, top, restitution, dt, y, folded);
+  r = {x.r, y.r};
+  v = {x.v, y.v};
+  return lost;
 }
 
 void require_inside(Parameters& p, const Walls& walls) {
@@ -104,7 +121,13 @@ BoxWalls BoxWalls::from(Parameters& p) {
   return {{.left = h, .right = w - h, .bottom = h, .top = top - h, .restitution = p.number(restitution)}};
 }
 
-void BoxWalls::settle(System& system, double dt) const { settle_all(walls, system, dt); }
+void BoxWalls::settle(System& system, double dt) const { settle_all(walls, system, dt, not_counted); }
+
+SupportingWalls SupportingWalls::from(Parameters& p) { return {BoxWalls::from(p).walls}; }
+
+void SupportingWalls::settle(System& system, double dt) const {
+  settle_all(walls, system, dt, [&](Index i) { return row(system.acceleration, i); });
+}
 
 CentreFloor CentreFloor::from(Parameters& p) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -115,6 +138,6 @@ CentreFloor CentreFloor::from(Parameters& p) {
            .restitution = p.number(restitution)}};
 }
 
-void CentreFloor::settle(System& system, double dt) const { settle_all(walls, system, dt); }
+void CentreFloor::settle(System& system, double dt) const { settle_all(walls, system, dt, not_counted); }
 
 }  // namespace clapotis

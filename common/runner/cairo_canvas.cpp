@@ -62,7 +62,9 @@ void use_colour(cairo_t* cairo, Colour c) {
 
 void write_whole(const std::filesystem::path& file, const std::string& bytes) {
   std::filesystem::path part = file;
-  part += "." + std::to_string(getpid()) + ".part";
+  part += '.';
+  part += std::to_string(getpid());
+  part += ".part";
   errno = 0;
   std::ofstream out(part, std::ios::binary);
   if (!out) refuse(file, errno, {});

@@ -53,15 +53,17 @@ std::string epilogue(const Stage& stage) {
              fmt::arg("scene", stage.scenes.front().name));
 }
 
-/// CLI11's own sentences begin with the option they are about.
-[[noreturn]] void refuse(const CLI::ParseError& error, const std::vector<std::string>& options) {
-  const std::string_view what = error.what();
-  const std::string option(what.substr(0, what.find_first_of(": ")));
-  if (std::find(options.begin(), options.end(), option) == options.end()) throw BadInput(error.what());
-  const bool is_flag = std::any_of(
-      flags.begin(), flags.end(), [&](const Flag& flag) { return "--" + plain_name(flag.option) == option; });
-  throw BadInput(
-      say(is_flag ? words().option_takes_no_value : words().option_needs_value, fmt::arg("option", option)));
+/// Said here rather than by CLI11, whose sentences differ from one version to the next.
+void refuse_values(int argc, const char* const* argv, const std::vector<std::string>& takes_value) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    for (const auto& flag : flags)
+      if (const auto option = "--" + plain_name(flag.option); word.starts_with(option + '='))
+        throw BadInput(say(words().option_takes_no_value, fmt::arg("option", option)));
+    const bool has_value = k + 1 < argc && !std::string_view(argv[k + 1]).starts_with("--");
+    if (!has_value && std::find(takes_value.begin(), takes_value.end(), word) != takes_value.end())
+      throw BadInput(say(words().option_needs_value, fmt::arg("option", word)));
+  }
 }
 
 }  // namespace
@@ -84,17 +86,17 @@ Arguments sort_arguments(const Stage& stage, int argc, const char* const* argv) 
         ->take_last();
     found.options.emplace_back(setting.option);
   }
+  refuse_values(argc, argv, found.options);
   for (const auto& flag : flags) {
     app.add_flag(flag.option, found.flags[plain_name(flag.option)], std::string(words().*flag.help))
-        ->take_last()
-        ->disable_flag_override();
+        ->take_last();
     found.options.push_back("--" + plain_name(flag.option));
   }
   app.footer(epilogue(stage));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    refuse(error, found.options);
+    throw BadInput(error.what());
   }
   for (const auto* option : app.get_options())
     if (option->count() == 0) found.settings.erase(plain_name(option->get_name()));

@@ -68,7 +68,7 @@ std::string error_note(const Simulation& simulation) {
   const auto& reference = simulation.setup().reference;
   const double error = simulation.error();
   if (!reference || !std::isfinite(error)) return {};
-  return fmt::format("{} = {:.2e} {} ({})", reference->measure, error, reference->unit, reference->name);
+  return fmt::format("{} = {:.2e} {}", reference->measure, error, reference->unit);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   const auto& view = simulation.setup().view;
   Picture picture;
   picture.title = stage_title + " - " + simulation.scene().name;
-  picture.subtitle = fmt::format("t = {:.3f} s   dt = {:.2g} s   N = {}   {}", simulation.time(),
+  picture.subtitle = fmt::format("t = {:.3f} s   dt = {:.3g} s   N = {}   {}", simulation.time(),
                                  simulation.dt(), particles.size(), simulation.integrator());
   picture.lower = {view.left, view.bottom};
   picture.upper = {view.right, view.top};

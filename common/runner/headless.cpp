@@ -40,7 +40,8 @@ class HeadlessRun {
         most_steps_(options.steps ? options.steps->value : std::numeric_limits<long>::max()),
         folder_(options.out ? RunFolder(*options.out, options.force, files_of_run)
                             : RunFolder::by_date(stage.name + "-" + options.scene.value)),
-        rows_(options.every.value_or(usual_interval(simulation_.dt(), length()))),
+        rows_(options.every.value_or(
+            usual_interval(simulation_.dt(), length(), simulation_.particles().size()))),
         frames_(options.frames.value_or(0)),
         series_(folder_.file("series.csv"), simulation_) {}
 
@@ -116,8 +117,9 @@ class HeadlessRun {
 
   void record() {
     rows_.serve(simulation_.time(), simulation_.dt());
-    series_.add(Moment(simulation_));
-    history_.add(simulation_);
+    const Moment moment(simulation_);
+    series_.add(moment);
+    history_.add(simulation_, moment.energy);
     last_recorded_ = simulation_.steps();
   }
 

@@ -51,8 +51,8 @@ Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) 
 
 }  // namespace
 
-void History::add(Simulation& simulation) {
-  latest_ = {simulation.time(), simulation.energy(), simulation.error(), max_speed(simulation.particles())};
+void History::add(const Simulation& simulation, const Energy& energy) {
+  latest_ = {simulation.time(), energy, simulation.error(), max_speed(simulation.particles())};
   largest_error_ = std::fmax(largest_error_, latest_.error);
   largest_speed_ = std::fmax(largest_speed_, latest_.max_speed);
   if (count_++ % stride_ != 0) return;

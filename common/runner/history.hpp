@@ -20,7 +20,9 @@ struct Sample {
 /// from then on only every second one comes. Shared by the window and by headless runs.
 class History {
  public:
-  void add(Simulation& simulation);
+  void add(Simulation& simulation) { add(simulation, simulation.energy()); }
+  /// For who has counted the energy already, which costs as much as a step.
+  void add(const Simulation& simulation, const Energy& energy);
   void clear() { *this = {}; }
 
   /// The samples kept, and always the latest one; time grows.

@@ -8,6 +8,7 @@
 #include "common/runner/machine.hpp"
 #include "common/runner/parameter_json.hpp"
 #include "common/runner/particle_table.hpp"
+#include "common/runner/result_json.hpp"
 #include "common/runner/series.hpp"
 
 namespace clapotis {
@@ -15,17 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 template <class T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
-}
-
-Json energy_json(const Energy& e) {
-  return {{"kinetic", or_null(e.kinetic)},       {"potential", or_null(e.potential)},
-          {"elastic", or_null(e.elastic)},       {"mechanical", or_null(e.mechanical())},
-          {"dissipated", or_null(e.dissipated)}, {"total", or_null(e.total())}};
 }
 
 /// How often each law is timed alone: once where an evaluation takes long already.
@@ -46,14 +39,6 @@ Json cost_json(Simulation& s, bool is_over) {
     for (std::size_t k = 0; k < names.size() && k < seconds.size(); ++k) laws[names[k]] = seconds[k];
   }
   return {{"phases", phases}, {"one_evaluation_of_each_law", laws}};
-}
-
-Json reference_json(const Simulation& s, const RunResult& result) {
-  const auto& reference = s.setup().reference;
-  if (!reference) return nullptr;
-  return {{"name", reference->name},     {"measure", reference->measure},
-          {"error", or_null(s.error())}, {"largest_error", or_null(result.largest_error)},
-          {"unit", reference->unit},     {"source", reference->source}};
 }
 
 Json units_json(const Simulation& s) {
@@ -140,7 +125,7 @@ std::string run_manifest(const Stage& stage, const Options& options, Simulation&
   run["bytes_per_particle"] = s.bytes_per_particle();
   run["peak_memory_bytes"] = peak_memory_bytes();
   run["energy"] = {{"start", energy_json(result.start)}, {"end", energy_json(result.end)}};
-  run["reference"] = reference_json(s, result);
+  run["reference"] = reference_json(s, result.largest_error);
   run["stop_reason"] = name_of(result.reason);
   run["stop_message"] = result.divergence;
   run["units"] = units_json(s);

@@ -7,6 +7,7 @@
 #include "common/runner/config_file.hpp"
 #include "common/runner/environment.hpp"
 #include "common/runner/listing.hpp"
+#include "common/runner/numbers.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/simulation/simulation.hpp"
 #include "common/words.hpp"
@@ -14,7 +15,6 @@
 namespace clapotis {
 namespace {
 
-constexpr double most_threads = 1024, most_steps = 1e15;
 constexpr Range a_scale{.low = 0.25, .high = 8};
 
 template <class... Args>
@@ -27,15 +27,6 @@ std::string hint(std::string_view word, const std::vector<std::string>& names) {
   return near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
 }
 
-double number(std::string_view name, std::string_view text, Range range, const char* unit = "s") {
-  return Parameter{.name = std::string(name), .symbol = {}, .unit = unit, .range = range}.parse(text);
-}
-
-long whole_number(std::string_view name, std::string_view text, Range range) {
-  const Parameter p{.name = std::string(name), .symbol = {}, .unit = {}, .range = range, .integer = true};
-  return static_cast<long>(p.parse(text));
-}
-
 std::string checked_integrator(const std::string& name) {
   static_cast<void>(make_integrator(name));
   return name;
@@ -46,13 +37,12 @@ void apply(Options& options, const Stage& stage, const std::string& name, const 
            Origin origin) {
   if (name == "scene") options.scene = {stage.scene(text).name, origin};
   if (name == "integrator") options.integrator = {checked_integrator(text), origin};
-  if (name == "threads")
-    options.threads = {static_cast<int>(whole_number(name, text, {.low = 1, .high = most_threads})), origin};
-  if (name == "until") options.until = {number(name, text, not_negative), origin};
-  if (name == "steps") options.steps = {whole_number(name, text, {.low = 0, .high = most_steps}), origin};
-  if (name == "every") options.every = number(name, text, positive);
-  if (name == "frames") options.frames = number(name, text, positive);
-  if (name == "scale") options.scale = number(name, text, a_scale, "");
+  if (name == "threads") options.threads = {static_cast<int>(option_count(name, text, thread_range)), origin};
+  if (name == "until") options.until = {option_number(name, text, not_negative), origin};
+  if (name == "steps") options.steps = {option_count(name, text, step_range), origin};
+  if (name == "every") options.every = option_number(name, text, positive);
+  if (name == "frames") options.frames = option_number(name, text, positive);
+  if (name == "scale") options.scale = option_number(name, text, a_scale, "");
   if (name == "seed") options.parameters.insert_or_assign("seed", Override{text, origin});
 }
 

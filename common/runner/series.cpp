@@ -73,17 +73,21 @@ Series::Series(const std::filesystem::path& file, const Simulation& simulation)
   for (const auto& column : all_columns)
     if (column.has_meaning(simulation)) columns_.push_back(column);
   std::string header;
-  for (const auto& column : columns_) header += (header.empty() ? "" : ",") + std::string(column.name);
-  file_.write(header + "\n");
+  for (const auto& column : columns_) {
+    if (!header.empty()) header += ',';
+    header += column.name;
+  }
+  file_.write(header += '\n');
 }
 
 void Series::add(const Moment& moment) {
   std::string row;
   for (const auto& column : columns_) {
     const double value = column.value(moment);
-    row += (row.empty() ? "" : ",") + (std::isnan(value) ? "nan" : to_text(value));
+    if (!row.empty()) row += ',';
+    row += std::isnan(value) ? "nan" : to_text(value);
   }
-  file_.write(row + "\n");
+  file_.write(row += '\n');
   if (wall_seconds() - last_flush_ < seconds_between_flushes) return;
   file_.flush();
   last_flush_ = wall_seconds();

@@ -16,10 +16,11 @@ class Parameters;
 
 /// The largest time step that something in the scene allows, and the share of it that `dt = auto` takes.
 struct StepLimit {
-  std::string name;     ///< for example "acoustic", "contact"
-  std::string formula;  ///< for example "h/c"
-  double limit;         ///< [s]
-  double share;         ///< dt = auto is the smallest share x limit
+  std::string name;       ///< for example "acoustic", "contact"
+  std::string formula;    ///< for example "h/c"
+  double limit;           ///< [s]
+  double share;           ///< dt = auto is the smallest share x limit
+  bool stability = true;  ///< beyond it the run diverges; otherwise it only becomes less accurate
 };
 
 /// Energies per unit depth at one instant.

@@ -19,6 +19,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+std::string about(std::string_view sentence, double dt, const StepLimit& limit) {
+  return say(sentence, fmt::arg("dt", fmt::format("{:.4g}", dt)),
+             fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
+             fmt::arg("formula", limit.formula));
+}
+
 }  // namespace
 
 /// A state to go back to. The steps from it to any later one can be repeated bit for bit.
@@ -44,11 +50,8 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   system_ = std::make_unique<System>(std::move(setup_.particles), *setup_.model);
   use_integrator(integrator);
   choose_step();
-  if (dt_ > binding_limit().limit)
-    warnings_.push_back(say(words().beyond_limit, fmt::arg("dt", to_text(dt_)),
-                            fmt::arg("ratio", fmt::format("{:.3g}", dt_ / binding_limit().limit)),
-                            fmt::arg("limit", binding_limit().name),
-                            fmt::arg("formula", binding_limit().formula)));
+  if (const auto* broken = broken_limit(dt_, limits_))
+    warnings_.push_back(about(words().beyond_limit, dt_, *broken));
   keep();
 }
 
@@ -133,7 +136,7 @@ void Simulation::advance(double dt) {
     cost_.integration += timed_every * (integrated - inside);
     cost_.walls += timed_every * (settled - integrated);
     model.seconds = {};
-    model.timed = false;
+    model.timed = false;  // what comes between two steps does not count
   }
 }
 
@@ -150,21 +153,18 @@ void Simulation::check(double dt) {
       break;
     }
   }
-  const auto& limit = binding_limit();
-  auto cause = finite ? say(words().diverged_speed, fmt::arg("speed", fmt::format("{:.3g}", speed)),
-                            fmt::arg("bound", fmt::format("{:.3g}", fastest_)),
-                            fmt::arg("unit", scene_.length_unit + "/s"))
-                      : std::string(words().diverged_nan);
-  cause +=
-      dt > limit.limit * (1 + 1e-9)
-          ? say(words().cause_limit, fmt::arg("dt", to_text(dt)),
-                fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
-                fmt::arg("formula", limit.formula))
-          : say(words().cause_scheme, fmt::arg("integrator", integrator_name_), fmt::arg("dt", to_text(dt)));
+  const auto* broken = broken_limit(dt, limits_);
+  const auto cause = (finite ? say(words().diverged_speed, fmt::arg("speed", fmt::format("{:.3g}", speed)),
+                                   fmt::arg("bound", fmt::format("{:.3g}", fastest_)),
+                                   fmt::arg("unit", scene_.length_unit + "/s"))
+                             : std::string(words().diverged_nan)) +
+                     (broken != nullptr ? about(words().cause_limit, dt, *broken)
+                                        : say(words().cause_scheme, fmt::arg("integrator", integrator_name_),
+                                              fmt::arg("dt", fmt::format("{:.4g}", dt))));
   const long step = steps_;
   const double t = time();
   go_back(step - 1);
-  throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", to_text(t)),
+  throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", fmt::format("{:.6g}", t)),
                      fmt::arg("particle", particle), fmt::arg("cause", cause)),
                  step, t, particle);
 }

@@ -19,13 +19,23 @@ double falling_sound_speed(const Parameters& p) {
 }
 
 StepLimit acoustic_limit(double radius, double sound_speed, double cfl) {
-  return {.name = "acoustic", .formula = "h/c", .limit = radius / sound_speed, .share = cfl};
+  return {
+      .name = "acoustic", .formula = "h/c", .limit = radius / sound_speed, .share = cfl, .stability = false};
 }
 
 const StepLimit& binding(const std::vector<StepLimit>& limits) {
   return *std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) {
     return a.share * a.limit < b.share * b.limit;
   });
+}
+
+const StepLimit* broken_limit(double dt, const std::vector<StepLimit>& limits) {
+  const StepLimit* broken = nullptr;
+  for (const auto& limit : limits)
+    if (limit.stability && dt > limit.limit * (1 + 1e-9) &&
+        (broken == nullptr || limit.limit < broken->limit))
+      broken = &limit;
+  return broken;
 }
 
 double choose_dt(double wanted, const std::vector<StepLimit>& limits) {

@@ -10,12 +10,16 @@ namespace clapotis {
 /// gravity and height and, where the scene has them, vx0 and vy0.
 double falling_sound_speed(const Parameters& p);
 
-/// tau = h/c, times cfl: a sound wave crosses at most one radius per step. Handout, section III.
+/// tau = h/c, times cfl: a sound wave crosses at most one radius per step. Handout, section III. Without
+/// pressure it is a matter of accuracy, not of stability.
 StepLimit acoustic_limit(double radius, double sound_speed, double cfl);
 
 /// What `dt` and the limits make of the next step: the number the user gave, or else the smallest share x
 /// limit. Throws BadInput when there is neither.
 double choose_dt(double wanted, const std::vector<StepLimit>& limits);
+
+/// The smallest limit of stability that dt is beyond; null when there is none.
+const StepLimit* broken_limit(double dt, const std::vector<StepLimit>& limits);
 
 /// The limit that sets an automatic step: the smallest share x limit.
 const StepLimit& binding(const std::vector<StepLimit>& limits);

@@ -1,0 +1,78 @@
+#include "common/window/keys.hpp"
+
+#include <array>
+
+namespace clapotis {
+namespace {
+
+using W = Words::Window;
+
+void step(WindowState& state, bool shift) { state.session.step(shift ? 10 : 1); }
+
+void change_scene(WindowState& state, int direction) {
+  const std::size_t count = state.session.stage().scenes.size();
+  const std::size_t forward = direction > 0 ? 1 : count - 1;
+  state.attempt([&] { state.session.choose_scene((state.session.scene() + forward) % count); });
+}
+
+void escape(WindowState& state, bool /*shift*/) {
+  if (state.menu_open) {
+    state.close_menu = true;
+  } else if (state.help) {
+    state.help = false;
+  } else if (state.sight.viewpoint.chosen) {
+    state.sight.viewpoint.chosen.reset();
+  } else {
+    state.quit = true;
+  }
+}
+
+void select(WindowState& state, int direction) {
+  state.sight.select_next(state.session.simulation(), direction);
+}
+
+constexpr std::array<Shortcut, 22> table{{
+    {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
+    {Key::n, 0, "N", &W::does_step, step},
+    {Key::right, 0, "→", &W::does_step, step},
+    {Key::r, 0, "R", &W::does_reset, [](WindowState& s, bool) { s.attempt([&] { s.session.reset(); }); }},
+    {Key::up, 0, "↑", &W::does_speed, [](WindowState& s, bool) { s.session.change_speed(1); }},
+    {Key::down, 0, "↓", &W::does_speed, [](WindowState& s, bool) { s.session.change_speed(-1); }},
+    {Key::page_up, 0, "PageUp", &W::does_scene, [](WindowState& s, bool) { change_scene(s, -1); }},
+    {Key::page_down, 0, "PageDown", &W::does_scene, [](WindowState& s, bool) { change_scene(s, 1); }},
+    {Key::c, 0, "C", &W::does_colour,
+     [](WindowState& s, bool) { s.sight.next_colouring(s.session.simulation()); }},
+    {Key::l, 0, "L", &W::does_lock,
+     [](WindowState& s, bool) { s.sight.colour_range.locked = !s.sight.colour_range.locked; }},
+    {Key::g, 0, "G", &W::does_grid,
+     [](WindowState& s, bool) { s.sight.viewpoint.grid = !s.sight.viewpoint.grid; }},
+    {Key::other, U',', ",", &W::does_neighbour, [](WindowState& s, bool) { select(s, -1); }},
+    {Key::other, U'.', ".", &W::does_neighbour, [](WindowState& s, bool) { select(s, 1); }},
+    {Key::other, U';', ".", &W::does_neighbour,
+     [](WindowState& s, bool) { select(s, 1); }},  // AZERTY, no Shift
+    {Key::v, 0, "V", &W::does_vectors, [](WindowState& s, bool) { s.sight.vectors = !s.sight.vectors; }},
+    {Key::e, 0, "E", &W::does_plots, [](WindowState& s, bool) { s.sight.plots = !s.sight.plots; }},
+    {Key::tab, 0, "Tab", &W::does_panel, [](WindowState& s, bool) { s.panel = !s.panel; }},
+    {Key::home, 0, "Home", &W::does_view, [](WindowState& s, bool) { s.sight.show_whole_scene(); }},
+    {Key::f12, 0, "F12", &W::does_picture, [](WindowState& s, bool) { s.picture_wanted = true; }},
+    {Key::f1, 0, "F1", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
+    {Key::h, 0, "H", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
+    {Key::escape, 0, "Esc", &W::does_quit, escape},
+}};
+
+}  // namespace
+
+std::span<const Shortcut> shortcuts() { return table; }
+
+void press(WindowState& state, const Input& input) {
+  if (input.control || input.alt) return;
+  for (const auto& shortcut : table) {
+    const bool by_key =
+        input.kind == Input::Kind::key_down && shortcut.key != Key::other && input.key == shortcut.key;
+    const bool by_character = input.kind == Input::Kind::character && shortcut.character != 0 &&
+                              input.character == shortcut.character;
+    if (by_key || by_character) return shortcut.act(state, input.shift);
+  }
+}
+
+}  // namespace clapotis

@@ -1,0 +1,210 @@
+#include "common/window/panel.hpp"
+
+#include "common/window/theme.hpp"
+#include "common/words.hpp"
+#include "imgui.h"
+
+namespace clapotis {
+namespace {
+
+constexpr float label_width = 0.26F;  ///< of the panel, left of the lists
+
+const Words::Window& w() { return words().window; }
+
+void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
+
+void heading(std::string_view words) {
+  theme::Bold bold;
+  text(words);
+  ImGui::Separator();
+}
+
+/// One to the left, the other to the right.
+void fact(const std::string& left, const std::string& right) {
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+  text(left);
+  ImGui::SameLine(end - ImGui::CalcTextSize(right.c_str()).x);
+  text(right);
+}
+
+std::string duration(double milliseconds) {
+  if (milliseconds == 0) return "…";
+  return milliseconds < 0.1 ? fmt::format("{:.3g} µs", 1e3 * milliseconds)
+                            : fmt::format("{:.3g} ms", milliseconds);
+}
+
+/// 1234567 as 1 234 567, with narrow spaces.
+std::string count(long long number) {
+  auto digits = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), "\u2009");
+  return digits;
+}
+
+}  // namespace
+
+void Panel::lay_out(WindowState& state, const Box& area) {
+  ImGui::SetNextWindowPos({static_cast<float>(area.corner.x), static_cast<float>(area.corner.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(area.extent.x), static_cast<float>(area.extent.y)});
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  transport(state);
+  scene(state);
+  parameters(state);
+  time_step(state);
+  view(state);
+  cost(state);
+  ImGui::End();
+}
+
+bool Panel::button(const std::string& name, std::string_view label, float width) {
+  const bool pressed = ImGui::Button((std::string(label) + "###" + name).c_str(), {width, 0});
+  controls_.name_last(name);
+  return pressed;
+}
+
+void Panel::transport(WindowState& state) {
+  auto& session = state.session;
+  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const bool runs = !session.paused() && !session.diverged();
+  {
+    theme::Main main;
+    if (button("pause", runs ? w().pause : w().run, width)) session.toggle_pause();
+  }
+  ImGui::SameLine();
+  if (button("step", w().step, width)) session.step(ImGui::GetIO().KeyShift ? 10 : 1);
+  ImGui::SameLine();
+  if (button("reset", w().reset, width)) state.attempt([&] { session.reset(); });
+
+  speed(state);
+}
+
+void Panel::speed(WindowState& state) {
+  auto& session = state.session;
+  const float start = ImGui::GetCursorPosX(), whole = ImGui::GetContentRegionAvail().x;
+  const float side = ImGui::GetFrameHeight();
+  ImGui::AlignTextToFramePadding();
+  text(w().speed);
+  ImGui::SameLine(start + label_width * whole);
+  if (button("slower", "−", side)) session.change_speed(-1);
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::Text("x%s", fmt::format("{:.4g}", session.speed()).c_str());
+  ImGui::SameLine(start + label_width * whole + 4 * side);
+  if (button("faster", "+", side)) session.change_speed(1);
+  ImGui::SameLine(start + whole - side);
+  if (button("help", "?", side)) state.help = !state.help;
+  const auto& rates = state.cost.rates();
+  if (!rates.slower_than_asked || session.paused() || session.diverged()) return;
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled(
+      "%s", say(w().slower_than_asked, fmt::arg("factor", fmt::format("{:.2g}", rates.speed))).c_str());
+}
+
+std::optional<std::size_t> Panel::list(WindowState& state, const std::string& name, std::string_view label,
+                                       const std::vector<std::string>& names, const std::string& present,
+                                       float share) {
+  std::optional<std::size_t> chosen;
+  const float start = ImGui::GetCursorPosX(), whole = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  text(label);
+  ImGui::SameLine(start + label_width * whole);
+  ImGui::SetNextItemWidth(share * whole);
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), present.c_str(), ImGuiComboFlags_HeightLargest);
+  if (!open) controls_.name_last(name);
+  if (!open) return chosen;
+  state.menu_open = true;
+  if (state.close_menu) ImGui::CloseCurrentPopup();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (ImGui::Selectable(names[k].c_str(), names[k] == present)) chosen = k;
+    controls_.name_last(name + ":" + names[k]);
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+void Panel::scene(WindowState& state) {
+  auto& session = state.session;
+  std::vector<std::string> names;
+  for (const auto& scene : session.stage().scenes) names.push_back(scene.name);
+  if (const auto k = list(state, "scene", w().scene, names, names[session.scene()]))
+    state.attempt([&] { session.choose_scene(*k); });
+  const auto integrator = session.simulation().integrator();
+  if (const auto k = list(state, "integrator", w().integrator, integrator_names(), integrator))
+    state.attempt([&] { session.choose_integrator(integrator_names()[*k]); });
+  const float whole = ImGui::GetContentRegionAvail().x;
+  rows_.steppers(state, controls_, ImGui::GetCursorPosX() + label_width * whole, (1 - label_width) * whole);
+}
+
+void Panel::parameters(WindowState& state) {
+  {
+    theme::Bold bold;
+    ImGui::AlignTextToFramePadding();
+    text(w().live);
+  }
+  const std::string label(w().defaults);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(label.c_str()).x -
+                  2 * ImGui::GetStyle().FramePadding.x);
+  if (button("defaults", label, 0)) state.attempt([&] { state.session.restore_defaults(); });
+  ImGui::Separator();
+  rows_.lay_out(state, controls_, ParameterRows::Group::live);
+  const bool open = ImGui::CollapsingHeader((std::string(w().restart) + "###restart").c_str());
+  controls_.name_last("restart");
+  if (!open) return;
+  rows_.lay_out(state, controls_, ParameterRows::Group::restart);
+}
+
+void Panel::time_step(WindowState& state) {
+  heading(w().time_step);
+  rows_.lay_out(state, controls_, ParameterRows::Group::time_step);
+  const auto& simulation = state.session.simulation();
+  const auto& limit = simulation.binding_limit();
+  const double share = 100 * simulation.dt() / limit.limit;
+  const auto reason = say(w().share_of_limit, fmt::arg("share", fmt::format("{:.3g}", share)),
+                          fmt::arg("limit", fmt::format("{:.2e}", limit.limit)), fmt::arg("name", limit.name),
+                          fmt::arg("formula", limit.formula));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(theme::vec(share > 100.001 ? theme::warning : theme::faint), "%s", reason.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void Panel::view(WindowState& state) {
+  auto& sight = state.sight;
+  auto& simulation = state.session.simulation();
+  heading(w().view);
+  const auto tick = [&](const std::string& name, std::string_view label, bool& value) {
+    ImGui::Checkbox((std::string(label) + "###" + name).c_str(), &value);
+    controls_.name_last(name);
+  };
+  const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  const auto quantities = colourings(simulation);
+  if (const auto k = list(state, "colour", w().colour_by, quantities, sight.viewpoint.colour_by, 0.40F))
+    sight.colour_by(quantities[*k]);
+  ImGui::SameLine(start + 0.70F * width);
+  tick("lock", w().lock_range, sight.colour_range.locked);
+  if (simulation.model().has_pairs()) tick("grid", w().grid, sight.viewpoint.grid);
+  if (simulation.model().has_pairs()) ImGui::SameLine(start + 0.28F * width);
+  tick("vectors", w().vectors, sight.vectors);
+  ImGui::SameLine(start + 0.70F * width);
+  tick("plots", w().plots, sight.plots);
+}
+
+void Panel::cost(WindowState& state) {
+  const auto& rates = state.cost.rates();
+  heading(w().cost);
+  const long long n = state.session.simulation().particles().size();
+  fact(say(w().particles, fmt::arg("count", count(n))),
+       say(w().step_cost, fmt::arg("time", duration(rates.step_milliseconds))));
+  if (rates.pairs)
+    fact(say(w().pairs_near, fmt::arg("count", count(rates.pairs->neighbours))),
+         say(w().pairs_tested, fmt::arg("count", count(rates.pairs->candidates))));
+  fact(say(w().frames,
+           fmt::arg("count",
+                    rates.frames_per_second == 0 ? "…" : fmt::format("{:.0f}", rates.frames_per_second))),
+       say(w().frame_cost, fmt::arg("time", duration(rates.frame_milliseconds))));
+}
+
+}  // namespace clapotis

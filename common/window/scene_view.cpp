@@ -1,0 +1,140 @@
+#include "common/window/scene_view.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "common/runner/ink.hpp"
+#include "common/runner/save_sheet.hpp"
+#include "common/runner/series.hpp"
+#include "common/window/theme.hpp"
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+constexpr double picture_scale = 0.85;  // titles leave room for the scene; the smallest letters are 15 pixels
+constexpr double longest_arrow = 44;    // [pixel], for the velocity at the end of the range
+constexpr Index arrow_heads = 2000;     // with more particles a head is a blot
+
+std::string number(double value) { return fmt::format("{:.4g}", value == 0 ? 0.0 : value); }
+
+std::string vector_text(std::string_view symbol, const Vector& v, const std::string& unit) {
+  return fmt::format("{} = ({}, {}) {}", symbol, number(v.x), number(v.y), unit);
+}
+
+}  // namespace
+
+void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
+  auto& session = state.session;
+  auto& simulation = session.simulation();
+  auto& sight = state.sight;
+  if (sight.viewpoint.chosen && *sight.viewpoint.chosen >= simulation.particles().size())
+    sight.viewpoint.chosen.reset();
+  picture_ = describe(session.stage().title, simulation, sight.viewpoint);
+  picture_.subtitle = fmt::format("t = {:.3f} s   dt = {:.2g} s   N = {}", simulation.time(), simulation.dt(),
+                                  simulation.particles().size());
+  if (picture_.value.size() > 0) {
+    picture_.colours.lo = 0;
+    picture_.colours.hi = sight.colour_range.follow(picture_.colours.hi);
+  }
+  const double scale = state.scale;
+  const double plots_height = sight.plots ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
+  const Box above{area.corner, {area.extent.x, area.extent.y - plots_height}};
+  view_ = sight.view(picture_, above, picture_scale * scale);
+  painter_.paint(canvas, picture_, view_);
+  canvas.clip(view_.scene);
+  if (sight.vectors) paint_velocities(canvas, state);
+  if (sight.viewpoint.chosen) paint_probe(canvas, state);
+  canvas.unclip();
+  plots_ = plots(session.history(), simulation);
+  if (plots_height < 60 * scale) return;
+  const double width = area.extent.x / static_cast<double>(plots_.size());
+  for (std::size_t k = 0; k < plots_.size(); ++k) {
+    const Box box{{area.corner.x + static_cast<double>(k) * width, area.corner.y + above.extent.y},
+                  {width, plots_height}};
+    clapotis::paint(canvas, plots_[k], box, picture_scale * scale);
+  }
+}
+
+void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
+  const auto& particles = state.session.simulation().particles();
+  const double high = state.sight.arrow_range.follow(max_speed(particles));
+  const double length = longest_arrow * state.scale / high;
+  ends_.clear();
+  for (Index i = 0; i < particles.size(); ++i) {
+    const Vector v = row(particles.velocity, i);
+    const Point from = view_.to_pixel(particles.position(i, 0), particles.position(i, 1));
+    const Point arrow{v.x * length, -v.y * length};
+    if (!(arrow.x * arrow.x + arrow.y * arrow.y > 4)) continue;  // false for NaN, too
+    const Point tip{from.x + arrow.x, from.y + arrow.y};
+    ends_.insert(ends_.end(), {from, tip});
+    if (particles.size() > arrow_heads) continue;
+    for (const double side : {-0.14, 0.14}) {
+      ends_.push_back(tip);
+      ends_.push_back({tip.x - 0.3 * arrow.x + side * arrow.y, tip.y - 0.3 * arrow.y - side * arrow.x});
+    }
+  }
+  canvas.segments(ends_, ink::text, 1.5 * state.scale);
+  const double margin = 14 * state.scale, height = 16 * state.scale;
+  const Point left{view_.scene.corner.x + margin, view_.scene.corner.y + view_.scene.extent.y - 2 * margin};
+  const Point right{left.x + longest_arrow * state.scale, left.y};
+  const double head = 6 * state.scale;
+  canvas.segments(std::array{left, right, right, Point{right.x - head, right.y - head / 2}, right,
+                             Point{right.x - head, right.y + head / 2}},
+                  ink::text, 2 * state.scale);
+  canvas.text({right.x + margin / 2, right.y + height / 3},
+              say(words().window.velocity_scale, fmt::arg("speed", number(high)),
+                  fmt::arg("unit", state.session.simulation().scene().length_unit + "/s")),
+              height, ink::text);
+}
+
+void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
+  auto& simulation = state.session.simulation();
+  const auto& w = words().window;
+  const Index i = *state.sight.viewpoint.chosen;
+  const auto& particles = simulation.particles();
+  const std::string unit = simulation.scene().length_unit;
+  Vector acceleration{0, 0};
+  simulation.look([&](const System& system) { acceleration = row(system.acceleration, i); });
+  std::vector<std::string> lines{vector_text(w.position, row(particles.position, i), unit),
+                                 vector_text(w.velocity, row(particles.velocity, i), unit + "/s"),
+                                 vector_text(w.acceleration, acceleration, unit + "/s²")};
+  for (const auto& column : particles.extra) {
+    lines.push_back(
+        fmt::format("{} = {} {}", column.name, number(column.values(i)), with_length(column.unit, unit)));
+  }
+  if (const auto around = simulation.model().neighbourhood(particles, i)) {
+    lines.push_back(say(w.tested, fmt::arg("count", around->candidates.size())) + ", " +
+                    say(w.near, fmt::arg("count", around->neighbours.size())));
+  }
+  const double scale = state.scale, height = 16 * scale, leading = 1.4 * height, margin = 10 * scale;
+  const std::string title = say(w.particle, fmt::arg("id", i));
+  double width = canvas.text_width(title, height);
+  for (const auto& line : lines) width = std::max(width, canvas.text_width(line, height));
+  const Box& scene = view_.scene;  // the box stands on the side away from the particle
+  const bool left_half = view_.to_pixel(particles.position(i, 0), 0).x < scene.corner.x + scene.extent.x / 2;
+  const double from_left = left_half ? scene.extent.x - width - 3 * margin : margin;
+  const Point corner{scene.corner.x + from_left, scene.corner.y + margin};
+  const double tall = leading * static_cast<double>(lines.size() + 1) + margin;
+  canvas.rectangle({{corner.x - 1, corner.y - 1}, {width + 2 * margin + 2, tall + 2}}, ink::grid);
+  canvas.rectangle({corner, {width + 2 * margin, tall}}, ink::paper);
+  canvas.rectangle({corner, {4 * scale, tall}}, ink::chosen);
+  Point at{corner.x + margin + 2 * scale, corner.y + leading};
+  canvas.text(at, title, height, ink::faint_text);
+  for (const auto& line : lines) {
+    at.y += leading;
+    canvas.text(at, line, height, ink::text);
+  }
+}
+
+std::string SceneView::save(const Session& session) const {
+  const auto stem = fmt::format("{}-{}-t{:.3f}s", session.stage().name, session.simulation().scene().name,
+                                session.simulation().time());
+  std::filesystem::path file = stem + ".png";
+  for (int k = 2; std::filesystem::exists(file); ++k) file = fmt::format("{}-{}.png", stem, k);
+  save_sheet(file, picture_, plots_);
+  return file.string();
+}
+
+}  // namespace clapotis

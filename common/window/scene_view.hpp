@@ -1,0 +1,30 @@
+#pragma once
+
+#include "common/runner/plot.hpp"
+#include "common/window/window_state.hpp"
+
+namespace clapotis {
+
+/// The left part of the window: the scene as files show it, and over it what only somebody who points at it
+/// wants to see: velocities, the probe.
+class SceneView {
+ public:
+  void paint(Canvas& canvas, WindowState& state, const Box& area);
+
+  /// Writes what was painted last as a picture of its own and returns the file's name. Throws FileError.
+  [[nodiscard]] std::string save(const Session& session) const;
+  /// Where the world was painted last.
+  [[nodiscard]] const PictureView& view() const { return view_; }
+
+ private:
+  void paint_velocities(Canvas& canvas, WindowState& state);
+  void paint_probe(Canvas& canvas, WindowState& state);
+
+  Painter painter_;
+  Picture picture_;
+  PictureView view_;
+  std::vector<Plot> plots_;
+  std::vector<Point> ends_;
+};
+
+}  // namespace clapotis

@@ -1,0 +1,119 @@
+#include "common/window/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/runner/stopwatch.hpp"
+
+namespace clapotis {
+namespace {
+
+constexpr int slowest = -10, fastest = 6;  // octaves: 1/1024 to 64 times real time
+
+std::unique_ptr<Parameters> defaults_of(const Scene& scene) {
+  return std::make_unique<Parameters>(Simulation(scene).parameters());
+}
+
+}  // namespace
+
+Session::Session(const Stage& stage, const Options& options)
+    : stage_(stage), given_(options.parameters), threads_(options.threads.value), paused_(options.paused) {
+  const Scene& scene = stage.scene(options.scene.value);
+  start(static_cast<std::size_t>(&scene - stage.scenes.data()), given_, options.integrator.value);
+}
+
+/// Changes nothing before everything that can throw is done.
+void Session::start(std::size_t scene, const Overrides& overrides, const std::string& integrator) {
+  auto simulation = std::make_unique<Simulation>(stage_.scenes[scene], overrides, integrator, threads_);
+  if (!defaults_ || scene != scene_) defaults_ = defaults_of(stage_.scenes[scene]);
+  simulation_ = std::move(simulation);
+  scene_ = scene;
+  history_.clear();
+  history_.add(*simulation_);
+  pacer_.forgive();
+  diverged_.reset();
+  work_ = {};
+  ++starts_;
+}
+
+void Session::reset() { start(scene_, simulation_->parameters().overrides(), simulation_->integrator()); }
+
+void Session::choose_scene(std::size_t scene) {
+  if (scene >= stage_.scenes.size()) return;
+  const auto table = defaults_of(stage_.scenes[scene]);
+  Overrides known;
+  for (const auto& [name, value] : given_) {
+    if (table->find(name) != nullptr) known.emplace(name, value);
+  }
+  start(scene, known, simulation_->integrator());
+}
+
+void Session::choose_integrator(const std::string& name) {
+  if (diverged_) {
+    start(scene_, simulation_->parameters().overrides(), name);
+  } else {
+    simulation_->use_integrator(name);
+  }
+}
+
+void Session::set(const std::string& parameter, const std::string& value) {
+  const Parameter* known = simulation_->parameters().find(parameter);
+  if (known == nullptr || known->change == Change::live) {
+    simulation_->set(parameter, value);
+    return;
+  }
+  Parameters changed = simulation_->parameters();
+  changed.set(parameter, value, Origin::window);
+  start(scene_, changed.overrides(), simulation_->integrator());
+}
+
+void Session::restore_defaults() { start(scene_, {}, simulation_->integrator()); }
+
+void Session::change_speed(int octaves) { octaves_ = std::clamp(octaves_ + octaves, slowest, fastest); }
+
+double Session::speed() const { return std::ldexp(1.0, octaves_); }
+
+/// False when the run stopped.
+bool Session::step_once() {
+  const double before = simulation_->time();
+  try {
+    simulation_->step();
+  } catch (const Diverged& reason) {
+    diverged_ = reason;
+    return false;
+  }
+  ++work_.steps;
+  work_.simulated += simulation_->time() - before;
+  return true;
+}
+
+void Session::step(int count) {
+  paused_ = true;
+  work_ = {};
+  const double start = wall_seconds();
+  for (int k = 0; k < count && !diverged_ && step_once(); ++k) {
+  }
+  work_.seconds = wall_seconds() - start;
+  if (work_.steps > 0) history_.add(*simulation_);
+}
+
+void Session::advance(double elapsed, double budget) {
+  work_ = {};
+  if (paused_ || diverged_) return;
+  pacer_.pass(elapsed, speed());
+  const double start = wall_seconds();
+  while (pacer_.due(simulation_->dt())) {
+    if (work_.steps > 0 && wall_seconds() - start > budget) {
+      work_.within_budget = false;
+      pacer_.forgive();
+      break;
+    }
+    const double before = work_.simulated;
+    if (!step_once()) break;
+    pacer_.pay(work_.simulated - before);
+  }
+  work_.seconds = wall_seconds() - start;
+  if (work_.steps > 0) history_.add(*simulation_);
+}
+
+}  // namespace clapotis

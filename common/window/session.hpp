@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/runner/history.hpp"
+#include "common/runner/options.hpp"
+#include "common/simulation/errors.hpp"
+#include "common/simulation/simulation.hpp"
+#include "common/window/pacer.hpp"
+
+namespace clapotis {
+
+/// A stage as it is played in the window: one simulation, and what the user can ask of it. Knows no window.
+/// What cannot be done throws BadInput and changes nothing.
+class Session {
+ public:
+  /// `stage` must outlive the session. Throws BadInput as Simulation does.
+  Session(const Stage& stage, const Options& options);
+
+  void toggle_pause() { paused_ = !paused_; }
+  void step(int count);  ///< that many steps, and pauses
+  void reset();          ///< from the start, with the parameters and the seed as they are now
+  void change_speed(int octaves);
+  void choose_scene(std::size_t scene);
+  void choose_integrator(const std::string& name);  ///< goes on with it; from the start after a divergence
+  void set(const std::string& parameter, const std::string& value);  ///< restarts the scene when it must
+  void restore_defaults();  ///< of all parameters; restarts the scene
+
+  /// What a frame does: the steps that are due after `elapsed` seconds, at least one of them, and no new one
+  /// once `budget` seconds of work are spent.
+  void advance(double elapsed, double budget);
+
+  [[nodiscard]] const Stage& stage() const { return stage_; }
+  [[nodiscard]] std::size_t scene() const { return scene_; }
+  [[nodiscard]] Simulation& simulation() { return *simulation_; }
+  [[nodiscard]] const Simulation& simulation() const { return *simulation_; }
+  [[nodiscard]] const History& history() const { return history_; }
+  /// The parameters as the scene and its laws give them.
+  [[nodiscard]] const Parameters& defaults() const { return *defaults_; }
+  [[nodiscard]] bool paused() const { return paused_; }
+  [[nodiscard]] double speed() const;  ///< simulated seconds per second, as asked
+  /// Why the run stopped; the simulation stands on its last good state until it starts anew.
+  [[nodiscard]] const std::optional<Diverged>& diverged() const { return diverged_; }
+  /// How often a scene was started: a new number means that particles and parameters may be others.
+  [[nodiscard]] long starts() const { return starts_; }
+
+  /// What the last `advance` or `step` did.
+  struct Work {
+    long steps = 0;
+    double seconds = 0;         ///< of real time, for these steps
+    double simulated = 0;       ///< [s]
+    bool within_budget = true;  ///< false: slower than asked
+  };
+  [[nodiscard]] const Work& work() const { return work_; }
+
+ private:
+  void start(std::size_t scene, const Overrides& overrides, const std::string& integrator);
+  bool step_once();
+
+  const Stage& stage_;
+  Overrides given_;  ///< on the command line: every scene that has such a parameter starts with it
+  int threads_;
+  std::size_t scene_ = 0;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Parameters> defaults_;
+  History history_;
+  Pacer pacer_;
+  bool paused_ = false;
+  int octaves_ = 0;
+  std::optional<Diverged> diverged_;
+  long starts_ = 0;
+  Work work_;
+};
+
+}  // namespace clapotis

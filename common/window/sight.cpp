@@ -1,0 +1,84 @@
+#include "common/window/sight.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace clapotis {
+namespace {
+
+constexpr double closest = 200, farthest = 0.2;  // zoom
+
+/// The smallest of 1, 1.5, 2, 3, 5, 7.5 times a power of ten that is not below `value`.
+double round_up(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (const double digit : {1.0, 1.5, 2.0, 3.0, 5.0, 7.5}) {
+    if (value <= digit * power) return digit * power;
+  }
+  return 10 * power;
+}
+
+}  // namespace
+
+double ColourRange::follow(double greatest) {
+  if (locked && high_ > 0) return high_;
+  if (!std::isfinite(greatest) || greatest <= 0) return high_ > 0 ? high_ : 1;
+  if (greatest > high_ || greatest < high_ / 3) high_ = round_up(greatest);
+  return high_;
+}
+
+void Sight::colour_by(const std::string& quantity) {
+  viewpoint.colour_by = quantity;
+  colour_range = {};
+}
+
+void Sight::next_colouring(const Simulation& simulation) {
+  const auto all = colourings(simulation);
+  const auto now = std::find(all.begin(), all.end(), viewpoint.colour_by);
+  colour_by(now == all.end() || now + 1 == all.end() ? all.front() : *(now + 1));
+}
+
+void Sight::select_next(const Simulation& simulation, int direction) {
+  const Index n = simulation.particles().size();
+  if (n == 0) return;
+  const Index first = direction > 0 ? 0 : n - 1;
+  viewpoint.chosen = viewpoint.chosen ? (*viewpoint.chosen + direction + n) % n : first;
+}
+
+void Sight::select_at(const Simulation& simulation, const PictureView& view, Point pixel, double reach) {
+  const auto at = view.to_world(pixel);
+  const auto& position = simulation.particles().position;
+  viewpoint.chosen.reset();
+  if (position.rows() == 0) return;
+  Index nearest = 0;
+  const double squared =
+      ((position.col(0) - at.x()).square() + (position.col(1) - at.y()).square()).minCoeff(&nearest);
+  if (std::sqrt(squared) <= simulation.setup().radius + reach / view.pixels_per_unit)
+    viewpoint.chosen = nearest;
+}
+
+PictureView Sight::view(const Picture& picture, const Box& area, double scale) const {
+  auto view = fit(picture, area, scale);
+  view.pixels_per_unit *= zoom;
+  view.centre += moved;
+  return view;
+}
+
+void Sight::zoom_at(const PictureView& view, Point pixel, double factor) {
+  const double before = zoom;
+  zoom = std::clamp(zoom * factor, farthest, closest);
+  // The world below the mouse lies (at - centre) from the middle; that distance on the screen must not
+  // change.
+  moved += (view.to_world(pixel) - view.centre) * (1 - before / zoom);
+}
+
+void Sight::move_by(const PictureView& view, Point pixels) {
+  moved += Eigen::Vector2d(-pixels.x, pixels.y) / view.pixels_per_unit;
+}
+
+void Sight::show_whole_scene() {
+  zoom = 1;
+  moved.setZero();
+}
+
+}  // namespace clapotis

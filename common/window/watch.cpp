@@ -1,0 +1,64 @@
+#include "common/window/watch.hpp"
+
+#include <fmt/core.h>
+
+namespace clapotis {
+namespace {
+
+std::string on(const char* what, bool yes) { return fmt::format("{} {}", what, yes ? "on" : "off"); }
+
+std::map<std::string, std::string> lines(const WindowState& state, Point window) {
+  const auto& session = state.session;
+  const auto& simulation = session.simulation();
+  const auto& sight = state.sight;
+  std::map<std::string, std::string> now;
+  now["start"] = fmt::format("started {}", session.starts());
+  now["scene"] = "scene " + simulation.scene().name;
+  now["integrator"] = "integrator " + simulation.integrator();
+  now["speed"] = fmt::format("speed {:.4g}", session.speed());
+  now["pause"] = session.paused() ? "paused" : "running";
+  for (const auto& p : simulation.parameters().all())
+    now["parameter " + p.name] = fmt::format("parameter {}={}", p.name, p.text());
+  now["colour"] = "colour by " + sight.viewpoint.colour_by;
+  now["lock"] = on("range locked", sight.colour_range.locked);
+  now["grid"] = on("grid", sight.viewpoint.grid);
+  now["vectors"] = on("velocities", sight.vectors);
+  now["plots"] = on("plots", sight.plots);
+  now["panel"] = on("panel", state.panel);
+  now["help"] = on("help", state.help);
+  now["menu"] = on("menu", state.menu_open);
+  now["selected"] = sight.viewpoint.chosen ? fmt::format("selected {}", *sight.viewpoint.chosen)
+                                           : std::string("selected none");
+  now["typing"] = "typing " + (state.typing.empty() ? std::string("nothing") : state.typing);
+  now["view"] =
+      fmt::format("view zoom={:.4g} moved={:.4g},{:.4g}", sight.zoom, sight.moved.x(), sight.moved.y());
+  now["window"] = fmt::format("resized {}x{}", window.x, window.y);
+  now["notice"] = state.notice.seconds_left > 0 ? "notice " + state.notice.text : std::string("notice none");
+  now["diverged"] = session.diverged() ? fmt::format("diverged step {} particle {}", session.diverged()->step,
+                                                     session.diverged()->particle)
+                                       : std::string("diverged no");
+  return now;
+}
+
+}  // namespace
+
+void Watch::look(const WindowState& state, Point window, Trace& trace) {
+  if (!trace.active()) return;
+  auto now = lines(state, window);
+  auto& session = const_cast<Session&>(state.session);
+  auto& simulation = session.simulation();
+  if (session.paused() || session.diverged()) {
+    now["step"] = fmt::format("step {} t={} energy={:.17g}", simulation.steps(), simulation.time(),
+                              simulation.energy().total());
+  } else if (frames_++ % 20 == 0) {
+    now["time"] = fmt::format("time {:.6g}", simulation.time());
+  }
+  for (const auto& [about, line] : now) {
+    auto& before = seen_[about];
+    if (before == line) continue;
+    before = line;
+    trace.say(line);
+  }
+}
+
+}  // namespace clapotis

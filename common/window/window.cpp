@@ -1,0 +1,121 @@
+#include "common/window/window.hpp"
+
+#include <algorithm>
+
+#include "common/runner/exit_code.hpp"
+#include "common/runner/ink.hpp"
+#include "common/runner/interrupt.hpp"
+#include "common/runner/stopwatch.hpp"
+#include "common/window/display.hpp"
+#include "common/window/keys.hpp"
+#include "common/window/mouse.hpp"
+#include "common/window/overlays.hpp"
+#include "common/window/panel.hpp"
+#include "common/window/scene_view.hpp"
+#include "common/window/screen.hpp"
+#include "common/window/watch.hpp"
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+constexpr double budget = 0.012;        // seconds of computing per frame of 1/60 s
+constexpr double panel_width = 400;     // [pixel] at scale 1
+constexpr double title_interval = 0.1;  // s; window managers redraw their frame for each new title
+
+/// In ASCII, as some window managers show nothing else.
+std::string title(const Session& session) {
+  const auto& simulation = session.simulation();
+  return fmt::format("{} | {} | t = {:.3f} s | dt = {:.1e} s | x{:.4g}", session.stage().title,
+                     simulation.scene().name, simulation.time(), simulation.dt(), session.speed());
+}
+
+class Window {
+ public:
+  Window(const Stage& stage, const Options& options)
+      : state_{.session = Session(stage, options)}, screen_(title(state_.session), 1280, 720, options.scale) {
+    state_.scale = screen_.scale();
+    trace_.say(fmt::format("window open {}", screen_.handle()));
+  }
+
+  int run() {
+    const Interrupt interrupt;
+    double last = wall_seconds();
+    while (!state_.quit && !Interrupt::asked()) {
+      const double now = wall_seconds(), elapsed = now - last;
+      last = now;
+      for (const Input& input : screen_.poll()) handle(input);
+      state_.session.advance(elapsed, budget);
+      state_.cost.frame(state_.session, elapsed, screen_.frame_cpu_seconds());
+      paint(elapsed);
+      name_window(elapsed);
+      watch_.look(state_, screen_.size(), trace_);
+      trace_.flush();
+    }
+    trace_.say("closed");
+    return Interrupt::asked() ? exit_interrupted : exit_done;
+  }
+
+ private:
+  void handle(const Input& input) {
+    using Kind = Input::Kind;
+    if (input.kind == Kind::closed) {
+      state_.quit = true;
+    } else if (input.kind == Kind::key_down || input.kind == Kind::character) {
+      if (state_.typing.empty() && !screen_.panel_wants_text()) press(state_, input);
+    } else if (input.kind != Kind::button_down && input.kind != Kind::wheel) {
+      mouse_.handle(state_, view_.view(), input);
+    } else if (!screen_.panel_wants_mouse()) {
+      mouse_.handle(state_, view_.view(), input);
+    }
+  }
+
+  void paint(double elapsed) {
+    const Point size = screen_.size();
+    const double side = state_.panel ? std::min(panel_width * state_.scale, size.x) : 0;
+    const Box scene{{0, 0}, {size.x - side, size.y}}, panel{{size.x - side, 0}, {side, size.y}};
+    screen_.begin_frame(ink::sheet);
+    if (scene.extent.x > 1 && scene.extent.y > 1) view_.paint(screen_.canvas(), state_, scene);
+    state_.menu_open = false;
+    if (state_.panel) panel_.lay_out(state_, panel);
+    state_.close_menu = false;
+    lay_out_divergence(state_, scene, controls_);
+    lay_out_notice(state_, scene, elapsed);
+    lay_out_help(state_, scene);
+    screen_.end_frame();
+    if (std::exchange(state_.picture_wanted, false))
+      state_.attempt([&] {
+        const auto file = view_.save(state_.session);
+        state_.notice = {say(words().window.picture_saved, fmt::arg("file", file)), false, 6};
+      });
+  }
+
+  void name_window(double elapsed) {
+    until_title_ -= elapsed;
+    if (until_title_ > 0) return;
+    until_title_ = title_interval;
+    auto now = title(state_.session);
+    if (now == title_) return;
+    title_ = std::move(now);
+    screen_.title(title_);
+  }
+
+  WindowState state_;
+  Screen screen_;
+  Trace trace_;
+  Controls controls_{trace_};
+  Panel panel_{controls_};
+  SceneView view_;
+  SceneMouse mouse_;
+  Watch watch_;
+  std::string title_;
+  double until_title_ = 0;
+};
+
+}  // namespace
+
+int run_window(const Stage& stage, const Options& options) { return Window(stage, options).run(); }
+
+WindowDoor window_door() { return {display_available, run_window}; }
+
+}  // namespace clapotis

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+
+#include "common/simulation/errors.hpp"
+#include "common/window/cost_meter.hpp"
+#include "common/window/session.hpp"
+#include "common/window/sight.hpp"
+
+namespace clapotis {
+
+/// A sentence for the user that goes away by itself.
+struct Notice {
+  std::string text;
+  bool refusal = false;
+  double seconds_left = 0;
+};
+
+/// All that the user of the window can change, and what every part of it reads.
+struct WindowState {
+  Session session;
+  Sight sight{};
+  CostMeter cost{};
+  Notice notice{};
+  bool panel = true, help = false;
+  bool picture_wanted = false, quit = false;
+  bool menu_open = false;   ///< a list of the panel is open
+  bool close_menu = false;  ///< ... and Esc was pressed
+  std::string typing{};     ///< the parameter whose value is being typed
+  double scale = 1;
+
+  /// Does what the user asked for; what cannot be done is said instead.
+  template <class Action>
+  void attempt(const Action& action) {
+    try {
+      action();
+    } catch (const BadInput& refusal) {
+      notice = {refusal.what(), true, 10};
+    } catch (const FileError& failure) {
+      notice = {failure.what(), true, 10};
+    }
+  }
+};
+
+}  // namespace clapotis

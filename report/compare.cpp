@@ -1,0 +1,12 @@
+#include "common/runner/compare.hpp"
+
+#include <array>
+
+#include "stage1_bouncing/scenes.hpp"
+#include "stage2_cloud/scenes.hpp"
+#include "stage3_grid/scenes.hpp"
+
+int main(int argc, char** argv) {
+  const std::array stages{clapotis::stage1::stage(), clapotis::stage2::stage(), clapotis::stage3::stage()};
+  return clapotis::run_compare(stages, argc, argv);
+}
