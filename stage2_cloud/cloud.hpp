@@ -70,8 +70,9 @@ Setup pair(Parameters& p) {
               .view = whole_box(p)};
   const double m = p.number(disc_mass), x = p.number(start_x), y = p.number(start_y);
   const double vx = p.number(start_vx), vy = p.number(start_vy);
-  setup.particles.add_column("mass", "kg") << m, p.number(mass_ratio) * m;
-  setup.particles.position << x, y, p.number(box_width) - x, y;
+  const double width = p.number(box_width), ratio = p.number(mass_ratio);
+  setup.particles.add_column("mass", "kg") << m, ratio * m;
+  setup.particles.position << x, y, width - x, y;
   setup.particles.velocity << vx, vy, -vx, vy;
   setup.model = std::make_unique<CloudModel<Search, StoredMass>>(p);
   require_inside(p, *setup.model->walls());
