@@ -42,16 +42,20 @@ inline View2D whole_box(Parameters& p) { return {0, p.number(box_width), 0, p.nu
 /// N discs, placed at random above (x0, y0) without touching, fall with the velocity (vx0, vy0) in the box.
 template <class Search>
 Setup cloud(Parameters& p) {
-  Setup setup{.particles = Particles(p.integer(particle_count), p.number(disc_mass)),
+  const Index n = p.integer(particle_count);
+  const double mass = p.number(disc_mass);
+  Setup setup{.particles = {},
               .model = std::make_unique<CloudModel<Search>>(p),
               .radius = p.number(disc_radius),
               .view = whole_box(p)};
   const Walls walls = *setup.model->walls();
   const double left = std::max(p.number(start_x) + setup.radius, walls.left);
   const double bottom = std::max(p.number(start_y) + setup.radius, walls.bottom);
-  setup.particles.position =
-      scattered_discs(setup.particles.size(), setup.radius, {left, walls.right, bottom, walls.top},
+  const Vectors places =
+      scattered_discs(n, setup.radius, {left, walls.right, bottom, walls.top},
                       static_cast<std::uint64_t>(p.integer(placement_seed)), p.length_unit());
+  setup.particles = Particles(n, mass);  // only now that they fit
+  setup.particles.position = places;
   setup.particles.velocity.col(0) = p.number(start_vx);
   setup.particles.velocity.col(1) = p.number(start_vy);
   return setup;
@@ -66,8 +70,9 @@ Setup pair(Parameters& p) {
               .view = whole_box(p)};
   const double m = p.number(disc_mass), x = p.number(start_x), y = p.number(start_y);
   const double vx = p.number(start_vx), vy = p.number(start_vy);
-  setup.particles.add_column("mass", "kg") << m, p.number(mass_ratio) * m;
-  setup.particles.position << x, y, p.number(box_width) - x, y;
+  const double width = p.number(box_width), ratio = p.number(mass_ratio);
+  setup.particles.add_column("mass", "kg") << m, ratio * m;
+  setup.particles.position << x, y, width - x, y;
   setup.particles.velocity << vx, vy, -vx, vy;
   setup.model = std::make_unique<CloudModel<Search, StoredMass>>(p);
   require_inside(p, *setup.model->walls());
@@ -79,12 +84,14 @@ Setup pair(Parameters& p) {
 /// to rest.
 template <class Search>
 Setup stack(Parameters& p) {
-  Setup setup{.particles = Particles(p.integer(particle_count), p.number(disc_mass)),
+  const Index n = p.integer(particle_count);
+  const double mass = p.number(disc_mass);
+  Setup setup{.particles = {},
               .model = std::make_unique<CloudModel<Search>>(p),
               .radius = p.number(disc_radius),
               .view = whole_box(p)};
-  const Index n = setup.particles.size();
   require_height(p, n, setup.radius);
+  setup.particles = Particles(n, mass);
   setup.particles.position.col(0) = p.number(box_width) / 2;
   setup.particles.position.col(1) =
       setup.radius * (1 + 2 * Column::LinSpaced(n, 0, static_cast<double>(n - 1)));

@@ -21,7 +21,7 @@ void CellGrid::lay_out(const Vectors& position, double support) {
   const double n = static_cast<double>(position.rows());
   const double width = high.x - low.x, height = high.y - low.y;
   const double most_cells = 4 * n + 64;
-  cell_ = support;
+  cell_ = support * (1 + 1e-6);  // so that round-off cannot put two neighbours two cells apart
   if (!std::isfinite(width) || !std::isfinite(height) || width < 0 || height < 0) {
     origin_ = {0, 0};
     columns_ = lines_ = 1;
@@ -30,7 +30,12 @@ void CellGrid::lay_out(const Vectors& position, double support) {
   }
   while ((width / cell_ + 2) * (height / cell_ + 2) > most_cells) cell_ *= 2;
   inverse_cell_ = 1 / cell_;
-  origin_ = {std::floor(low.x * inverse_cell_) * cell_, std::floor(low.y * inverse_cell_) * cell_};
+  const auto anchor = [&](double least) {  // cells that stand still while the particles move
+    const double line = std::floor(least * inverse_cell_) * cell_;
+    return line <= least && least - line <= cell_ ? line
+                                                  : least;  // far away, lines are rounded by many cells
+  };
+  origin_ = {anchor(low.x), anchor(low.y)};
   columns_ = static_cast<Index>((high.x - origin_.x) * inverse_cell_) + 1;
   lines_ = static_cast<Index>((high.y - origin_.y) * inverse_cell_) + 1;
 }

@@ -74,8 +74,10 @@ void Simulation::choose_step() {
   dt_ = choose_dt(parameters_.number(step_parameter), limits);
   limits_ = std::move(limits);
   sound_speed_ = c;
-  // with a step beyond h/c the fastest particle that can still be followed moves one radius per step
-  fastest_ = std::max({fastest_, c, 10 * max_speed(particles())});
+  // all that the springs hold may become the speed of the lightest particle
+  const double v = max_speed(particles());
+  const double elastic = setup_.model->stored_energy(particles()).elastic;
+  fastest_ = std::max({fastest_, c, 10 * std::sqrt(v * v + 2 * elastic / particles().least_mass())});
 }
 
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }

@@ -38,7 +38,7 @@ class Sweep {
 
   /// Calls meet(j, ij) for the packs of particles that may act on the one in `slot`. Lanes that hold itself,
   /// or a particle beyond the support, are given a distance of twice the support, where no law acts. Returns
-  /// how many others are at exactly its place; those are the caller's to deal with (`coincident`).
+  /// how many others are at its very place; those are the caller's to deal with (`coincident`).
   template <class Meet>
   int around(Slot slot, const Meet& meet) const {
     const Vec<Pack> r{Pack(x_(slot)), Pack(y_(slot))};
@@ -51,23 +51,23 @@ class Sweep {
         const Pack d2 = dot(d, d);
         const auto near = d2 < support2 && lanes() < static_cast<double>(last - at);
         if (none_of(near)) continue;
-        const auto apart = d2 > 0.0;
+        const auto apart = d2 > one_point;
         at_one_point += popcount(near && !apart);
         const Pack inverse = inverse_sqrt(select(near && apart, d2, Pack(4 * support2)));
         meet(j, Encounter{d, select(near && apart, d2 * inverse, Pack(2 * support_)), inverse * d});
       }
     });
-    return at_one_point;
+    return std::max(at_one_point, 0);  // a particle without a position is not even where it is itself
   }
 
-  /// Calls meet(j, ij) for each other particle at exactly the place of the one in `slot`; only lane 0 counts.
+  /// Calls meet(j, ij) for each other particle at the very place of the one in `slot`; only lane 0 counts.
   /// The direction follows from the two ids, opposite for the other of the two.
   template <class Meet>
   void coincident(Slot slot, const Meet& meet) const {
     search.candidates(position(slot), [&](Slot first, Slot last) {
       for (Slot j = first; j < last; ++j) {
         const double dx = x_(slot) - x_(j), dy = y_(slot) - y_(j);
-        if (j == slot || dx * dx + dy * dy > 0) continue;
+        if (j == slot || dx * dx + dy * dy > one_point) continue;
         const Vector u = direction_of(search.id(slot), search.id(j));
         meet(Run{j}, Encounter{{Pack(0.0), Pack(0.0)}, Pack(0.0), {Pack(u.x), Pack(u.y)}});
       }
@@ -81,6 +81,8 @@ class Sweep {
   }
 
  private:
+  static constexpr double one_point = 1e-300;  ///< squared distance too small to tell a direction [L^2]
+
   static Vector direction_of(Index a, Index b) {
     const double turn =
         0.7548776662466927 * static_cast<double>(std::min(a, b)) +
@@ -93,7 +95,10 @@ class Sweep {
   void gather(Column& sorted, const double* column, int threads) {
     constexpr double far_away = 1e150;
     if (sorted.size() != n_ + pack_width) sorted = Column::Constant(n_ + pack_width, far_away);
-    for_each(n_, threads, [&](Slot i) { sorted(i) = column[search.id(i)]; });
+    for_each(n_, threads, [&](Slot i) {
+      const double value = column[search.id(i)];
+      sorted(i) = std::isfinite(value) ? value : far_away;  // 0 x NaN would reach the others of its pack
+    });
   }
 
   View<Mass, with_velocity> make_view(const Particles& particles) const {
