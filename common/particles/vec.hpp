@@ -17,6 +17,9 @@ struct Vec {
   bool operator==(const Vec&) const = default;
 };
 
+template <class T>
+Vec(T, T) -> Vec<T>;
+
 using Vector = Vec<double>;
 
 template <class T>
