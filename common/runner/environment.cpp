@@ -17,6 +17,7 @@ std::vector<Variable> environment() {
     std::string name(text.substr(prefix.size(), equals - prefix.size()));
     for (char& letter : name)
       if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    if (name == "trace") continue;  // the window's
     found.push_back({std::string(text.substr(0, equals)), name, std::string(text.substr(equals + 1))});
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

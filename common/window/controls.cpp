@@ -2,19 +2,27 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "imgui.h"
 
 namespace clapotis {
 
 void Controls::name_last(const std::string& name) {
+  const auto least = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  this->name(name, {{static_cast<double>(least.x), static_cast<double>(least.y)},
+                    {static_cast<double>(size.x), static_cast<double>(size.y)}});
+}
+
+void Controls::name(const std::string& name, const Box& place) {
   if (!trace_.active()) return;
-  const auto least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
-  const std::array<int, 4> place{static_cast<int>(least.x), static_cast<int>(least.y),
-                                 static_cast<int>(most.x - least.x), static_cast<int>(most.y - least.y)};
+  const auto pixel = [](double value) { return static_cast<int>(std::lround(value)); };
+  const std::array<int, 4> now{pixel(place.corner.x), pixel(place.corner.y), pixel(place.extent.x),
+                               pixel(place.extent.y)};
   auto& known = places_[name];
-  if (known == place) return;
-  known = place;
-  trace_.place(fmt::format("control {} {} {} {} {}", name, place[0], place[1], place[2], place[3]));
+  if (known == now) return;
+  known = now;
+  trace_.place(fmt::format("control {} {} {} {} {}", name, now[0], now[1], now[2], now[3]));
 }
 
 }  // namespace clapotis

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "common/runner/canvas.hpp"
 #include "common/window/trace.hpp"
 
 namespace clapotis {
@@ -12,8 +13,9 @@ namespace clapotis {
 class Controls {
  public:
   explicit Controls(Trace& trace) : trace_(trace) {}
-  /// Names the item that was laid out last.
+  /// Names the item that ImGui laid out last.
   void name_last(const std::string& name);
+  void name(const std::string& name, const Box& place);
 
  private:
   Trace& trace_;

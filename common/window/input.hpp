@@ -33,6 +33,7 @@ struct Input {
   };
   Kind kind;
   Key key = Key::other;
+  bool repeat = false;  ///< of key_down: the key is held
   bool shift = false, control = false, alt = false;
   char32_t character = 0;
   MouseButton button = MouseButton::left;

@@ -33,8 +33,8 @@ void select(WindowState& state, int direction) {
 
 constexpr std::array<Shortcut, 22> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
-    {Key::n, 0, "N", &W::does_step, step},
-    {Key::right, 0, "→", &W::does_step, step},
+    {Key::n, 0, "N", &W::does_step, step, true},
+    {Key::right, 0, "→", &W::does_step, step, true},
     {Key::r, 0, "R", &W::does_reset, [](WindowState& s, bool) { s.attempt([&] { s.session.reset(); }); }},
     {Key::up, 0, "↑", &W::does_speed, [](WindowState& s, bool) { s.session.change_speed(1); }},
     {Key::down, 0, "↓", &W::does_speed, [](WindowState& s, bool) { s.session.change_speed(-1); }},
@@ -71,7 +71,9 @@ void press(WindowState& state, const Input& input) {
         input.kind == Input::Kind::key_down && shortcut.key != Key::other && input.key == shortcut.key;
     const bool by_character = input.kind == Input::Kind::character && shortcut.character != 0 &&
                               input.character == shortcut.character;
-    if (by_key || by_character) return shortcut.act(state, input.shift);
+    if (!by_key && !by_character) continue;
+    if (!input.repeat || shortcut.repeats) shortcut.act(state, input.shift);
+    return;
   }
 }
 

@@ -17,6 +17,7 @@ struct Shortcut {
   std::string_view label;  ///< "Space", "N", ","
   std::string_view Words::Window::*does;
   void (*act)(WindowState& state, bool shift);
+  bool repeats = false;  ///< while the key is held
 };
 
 std::span<const Shortcut> shortcuts();

@@ -1,6 +1,8 @@
 #include "common/window/overlays.hpp"
 
-#include <map>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "common/window/keys.hpp"
 #include "common/window/theme.hpp"
@@ -18,7 +20,7 @@ const Words::Window& w() { return words().window; }
 
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
-/// A white box whose point (share_x, share_y) lies at that share of the area; at most `width` pixels of text.
+/// A white box whose point (share_x, share_y) lies at that share of the area.
 void begin_box(const char* name, const Box& area, float share_x, float share_y, int flags = 0) {
   const ImVec2 at{static_cast<float>(area.corner.x + static_cast<double>(share_x) * area.extent.x),
                   static_cast<float>(area.corner.y + static_cast<double>(share_y) * area.extent.y)};
@@ -32,6 +34,23 @@ void end_box() {
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
+}
+
+/// Lines no wider than `room`, broken at spaces only: ImGui would also break a number at its dot.
+void paragraph(std::string_view sentence, float room) {
+  std::string line;
+  while (!sentence.empty()) {
+    const auto end = std::min(sentence.find(' ', 1), sentence.size());
+    const auto longer = line + std::string(sentence.substr(0, end));
+    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > room) {
+      text(line);
+      line = sentence.substr(1, end - 1);
+    } else {
+      line = longer;
+    }
+    sentence.remove_prefix(end);
+  }
+  text(line);
 }
 
 float text_room(const Box& area, double scale) {
@@ -48,9 +67,7 @@ void lay_out_divergence(WindowState& state, const Box& area, Controls& controls)
     theme::Bold bold;
     ImGui::TextColored(theme::vec(theme::warning), "%s", std::string(w().diverged).c_str());
   }
-  ImGui::PushTextWrapPos(text_room(area, state.scale));
-  text(reason->what());
-  ImGui::PopTextWrapPos();
+  paragraph(reason->what(), text_room(area, state.scale));
   ImGui::Spacing();
   const auto pressed = [&](const std::string& label, const std::string& name) {
     const bool now = ImGui::Button((label + "###" + name).c_str());
@@ -79,11 +96,9 @@ void lay_out_notice(WindowState& state, const Box& area, double elapsed) {
   if (notice.seconds_left <= 0) return;
   notice.seconds_left -= elapsed;
   begin_box("notice", area, 0.5F, 0.97F, ImGuiWindowFlags_NoInputs);
-  ImGui::PushTextWrapPos(text_room(area, state.scale));
   ImGui::PushStyleColor(ImGuiCol_Text, theme::vec(notice.refusal ? theme::warning : theme::ink));
-  text(notice.text);
+  paragraph(notice.text, text_room(area, state.scale));
   ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
   end_box();
 }
 

@@ -68,13 +68,15 @@ bool Panel::button(const std::string& name, std::string_view label, float width)
 void Panel::transport(WindowState& state) {
   auto& session = state.session;
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const bool runs = !session.paused() && !session.diverged();
+  const bool stopped = session.diverged().has_value(), runs = !session.paused() && !stopped;
+  ImGui::BeginDisabled(stopped);
   {
     theme::Main main;
     if (button("pause", runs ? w().pause : w().run, width)) session.toggle_pause();
   }
   ImGui::SameLine();
   if (button("step", w().step, width)) session.step(ImGui::GetIO().KeyShift ? 10 : 1);
+  ImGui::EndDisabled();
   ImGui::SameLine();
   if (button("reset", w().reset, width)) state.attempt([&] { session.reset(); });
 
@@ -167,7 +169,8 @@ void Panel::time_step(WindowState& state) {
                           fmt::arg("limit", fmt::format("{:.2e}", limit.limit)), fmt::arg("name", limit.name),
                           fmt::arg("formula", limit.formula));
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(theme::vec(share > 100.001 ? theme::warning : theme::faint), "%s", reason.c_str());
+  ImGui::TextColored(theme::vec(limit.stability && share > 100.001 ? theme::warning : theme::faint), "%s",
+                     reason.c_str());
   ImGui::PopTextWrapPos();
 }
 

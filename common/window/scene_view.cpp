@@ -14,7 +14,7 @@ namespace clapotis {
 namespace {
 
 constexpr double picture_scale = 0.85;  // titles leave room for the scene; the smallest letters are 15 pixels
-constexpr double longest_arrow = 44;    // [pixel], for the velocity at the end of the range
+constexpr double longest_arrow = 36;    // [pixel], for the velocity at the end of the range
 constexpr Index arrow_heads = 2000;     // with more particles a head is a blot
 
 std::string number(double value) { return fmt::format("{:.4g}", value == 0 ? 0.0 : value); }
@@ -34,6 +34,8 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   picture_ = describe(session.stage().title, simulation, sight.viewpoint);
   picture_.subtitle = fmt::format("t = {:.3f} s   dt = {:.2g} s   N = {}", simulation.time(), simulation.dt(),
                                   simulation.particles().size());
+  if (picture_.chosen)  // the probe says the rest
+    picture_.chosen->label = say(words().window.particle, fmt::arg("id", picture_.chosen->particle));
   if (picture_.value.size() > 0) {
     picture_.colours.lo = 0;
     picture_.colours.hi = sight.colour_range.follow(picture_.colours.hi);
@@ -126,6 +128,12 @@ void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
     at.y += leading;
     canvas.text(at, line, height, ink::text);
   }
+}
+
+Box SceneView::domain() const {
+  const Point corner = view_.to_pixel(picture_.lower.x(), picture_.upper.y());
+  const Eigen::Array2d extent = (picture_.upper - picture_.lower) * view_.pixels_per_unit;
+  return {corner, {extent.x(), extent.y()}};
 }
 
 std::string SceneView::save(const Session& session) const {

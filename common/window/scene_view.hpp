@@ -13,6 +13,8 @@ class SceneView {
 
   /// Writes what was painted last as a picture of its own and returns the file's name. Throws FileError.
   [[nodiscard]] std::string save(const Session& session) const;
+  /// The part of the window that shows the scene's own piece of the plane.
+  [[nodiscard]] Box domain() const;
   /// Where the world was painted last.
   [[nodiscard]] const PictureView& view() const { return view_; }
 

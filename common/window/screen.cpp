@@ -3,9 +3,13 @@
 #include <SFML/Graphics.hpp>
 #include <SFML/Window/Clipboard.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "common/window/imgui_layer.hpp"
 #include "common/window/sfml_canvas.hpp"
@@ -188,6 +192,22 @@ sf::VideoMode mode(int width, int height, double scale) {
   return {pixels(width, desktop.width), pixels(height, desktop.height)};
 }
 
+/// SFML complains of every screen without vertical sync, which we do not use. What it said is kept for a
+/// failure.
+class QuietStart {
+ public:
+  QuietStart() : before_(sf::err().rdbuf(said_.rdbuf())) {}
+  ~QuietStart() { end(); }
+  QuietStart(const QuietStart&) = delete;
+  QuietStart& operator=(const QuietStart&) = delete;
+  void end() { sf::err().rdbuf(before_); }
+  [[nodiscard]] std::string said() const { return said_.str(); }
+
+ private:
+  std::ostringstream said_;
+  std::streambuf* before_;
+};
+
 }  // namespace
 
 struct Screen::Parts {
@@ -199,13 +219,17 @@ struct Screen::Parts {
                       [](const std::string& text) {
                         sf::Clipboard::setString(sf::String::fromUtf8(text.begin(), text.end()));
                       }}) {
+    if (!window.isOpen()) throw std::runtime_error("no window: " + start.said());
+    start.end();
     window.setFramerateLimit(60);  // not vertical sync: some drivers stop a minimised window for good
   }
   double scale;
+  QuietStart start;
   sf::RenderWindow window;
   SfmlCanvas canvas;
   ImGuiLayer imgui;
   sf::Clock clock;
+  std::array<bool, static_cast<std::size_t>(Key::f12) + 1> held{};
   double cpu_at_start = 0, frame_cpu = 0;
 };
 
@@ -217,7 +241,11 @@ Screen::~Screen() = default;
 std::vector<Input> Screen::poll() {
   std::vector<Input> inputs;
   for (sf::Event event{}; parts_->window.pollEvent(event);) {
-    if (const auto input = translate(event)) {
+    if (auto input = translate(event)) {
+      const auto held = static_cast<std::size_t>(input->key);
+      if (input->kind == Input::Kind::key_down) input->repeat = std::exchange(parts_->held[held], true);
+      if (input->kind == Input::Kind::key_up) parts_->held[held] = false;
+      if (input->kind == Input::Kind::focus_lost) parts_->held.fill(false);
       parts_->imgui.handle(*input);
       inputs.push_back(*input);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/runner/stopwatch.hpp"
 
@@ -18,6 +19,8 @@ std::unique_ptr<Parameters> defaults_of(const Scene& scene) {
 
 Session::Session(const Stage& stage, const Options& options)
     : stage_(stage), given_(options.parameters), threads_(options.threads.value), paused_(options.paused) {
+  if (options.until && options.until->origin != Origin::law) until_ = options.until->value;
+  if (options.steps) steps_until_ = options.steps->value;
   const Scene& scene = stage.scene(options.scene.value);
   start(static_cast<std::size_t>(&scene - stage.scenes.data()), given_, options.integrator.value);
 }
@@ -77,7 +80,8 @@ double Session::speed() const { return std::ldexp(1.0, octaves_); }
 bool Session::step_once() {
   const double before = simulation_->time();
   try {
-    simulation_->step();
+    const bool before_end = until_ && simulation_->time() < *until_;
+    simulation_->step(before_end ? *until_ : std::numeric_limits<double>::infinity());
   } catch (const Diverged& reason) {
     diverged_ = reason;
     return false;
@@ -87,7 +91,14 @@ bool Session::step_once() {
   return true;
 }
 
+/// True at the one step that gets there: whoever goes on from there is not stopped again.
+bool Session::reached_end() const {
+  return (until_ && simulation_->time() == *until_) ||
+         (steps_until_ && simulation_->steps() == *steps_until_);
+}
+
 void Session::step(int count) {
+  if (diverged_) return;
   paused_ = true;
   work_ = {};
   const double start = wall_seconds();
@@ -111,6 +122,10 @@ void Session::advance(double elapsed, double budget) {
     const double before = work_.simulated;
     if (!step_once()) break;
     pacer_.pay(work_.simulated - before);
+    if (reached_end()) {
+      paused_ = true;
+      break;
+    }
   }
   work_.seconds = wall_seconds() - start;
   if (work_.steps > 0) history_.add(*simulation_);

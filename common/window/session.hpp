@@ -58,10 +58,13 @@ class Session {
  private:
   void start(std::size_t scene, const Overrides& overrides, const std::string& integrator);
   bool step_once();
+  bool reached_end() const;
 
   const Stage& stage_;
   Overrides given_;  ///< on the command line: every scene that has such a parameter starts with it
   int threads_;
+  std::optional<double> until_;      ///< --until: pause at that simulated time [s]
+  std::optional<long> steps_until_;  ///< --steps: pause after so many
   std::size_t scene_ = 0;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Parameters> defaults_;

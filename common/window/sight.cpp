@@ -27,6 +27,15 @@ double ColourRange::follow(double greatest) {
   return high_;
 }
 
+void Sight::look_at_other_scene(const Simulation& simulation) {
+  const auto known = colourings(simulation);
+  if (std::find(known.begin(), known.end(), viewpoint.colour_by) == known.end())
+    viewpoint.colour_by = known.front();
+  viewpoint.chosen.reset();
+  colour_range = arrow_range = {};
+  show_whole_scene();
+}
+
 void Sight::colour_by(const std::string& quantity) {
   viewpoint.colour_by = quantity;
   colour_range = {};

@@ -30,6 +30,8 @@ struct Sight {
   Eigen::Vector2d moved{0, 0};  ///< of the middle, away from the scene's [L]
   bool vectors = false, plots = true;
 
+  /// What was said of particles and places of the last scene does not hold in the next.
+  void look_at_other_scene(const Simulation& simulation);
   void next_colouring(const Simulation& simulation);
   void colour_by(const std::string& quantity);
   void select_next(const Simulation& simulation, int direction);

@@ -26,6 +26,7 @@ void Trace::place(const std::string& line) {
 void Trace::flush() {
   if (!active()) return;
   for (const auto& line : settled_) file_ << line << '\n';
+  if (!settled_.empty()) file_ << '\n';
   file_.flush();
   settled_ = std::exchange(said_, {});
 }

@@ -6,10 +6,11 @@
 
 namespace clapotis {
 
-/// What the user can see change, one line per change ("paused", "step 12", "parameter gravity=300"), written
-/// to the file CLAPOTIS_TRACE names: this is how the window tests await instead of sleeping. A line waits
-/// until the frame after the one it was said in is on the screen, for a panel may need one more frame to
-/// arrange itself: whoever reads the line may look at the picture and click on it.
+/// What the user can see change, one line per change ("paused", "step 12", "parameter gravity=300"), an empty
+/// line after those of one frame, written to the file CLAPOTIS_TRACE names: this is how the window tests
+/// await instead of sleeping. A line waits until the frame after the one it was said in is on the screen, for
+/// a panel may need one more frame to arrange itself: whoever reads the line may look at the picture and
+/// click on it.
 class Trace {
  public:
   Trace();   ///< silent when CLAPOTIS_TRACE is not set

@@ -42,16 +42,17 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
 
 }  // namespace
 
-void Watch::look(const WindowState& state, Point window, Trace& trace) {
+void Watch::look(WindowState& state, Point window, Trace& trace) {
   if (!trace.active()) return;
   auto now = lines(state, window);
-  auto& session = const_cast<Session&>(state.session);
+  auto& session = state.session;
   auto& simulation = session.simulation();
   if (session.paused() || session.diverged()) {
     now["step"] = fmt::format("step {} t={} energy={:.17g}", simulation.steps(), simulation.time(),
                               simulation.energy().total());
-  } else if (frames_++ % 20 == 0) {
-    now["time"] = fmt::format("time {:.6g}", simulation.time());
+  } else {
+    seen_.erase("step");  // to be told again when it stops, even at the same step
+    if (frames_++ % 20 == 0) now["time"] = fmt::format("time {:.6g}", simulation.time());
   }
   for (const auto& [about, line] : now) {
     auto& before = seen_[about];

@@ -13,7 +13,7 @@ namespace clapotis {
 /// 900x600".
 class Watch {
  public:
-  void look(const WindowState& state, Point window, Trace& trace);
+  void look(WindowState& state, Point window, Trace& trace);
 
  private:
   std::map<std::string, std::string> seen_;  ///< the lines by the thing they are about

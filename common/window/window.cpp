@@ -46,6 +46,7 @@ class Window {
       last = now;
       for (const Input& input : screen_.poll()) handle(input);
       state_.session.advance(elapsed, budget);
+      notice_changes();
       state_.cost.frame(state_.session, elapsed, screen_.frame_cpu_seconds());
       paint(elapsed);
       name_window(elapsed);
@@ -70,17 +71,33 @@ class Window {
     }
   }
 
+  /// What concerns the look and the notices when a scene starts anew, or warns.
+  void notice_changes() {
+    const auto& session = state_.session;
+    if (session.starts() != starts_) {
+      starts_ = session.starts();
+      warnings_ = 0;
+      if (std::exchange(scene_, session.scene()) != session.scene())
+        state_.sight.look_at_other_scene(session.simulation());
+    }
+    const auto warnings = session.simulation().warnings();
+    if (warnings.size() > warnings_) state_.notice = {warnings.back(), true, 10};
+    warnings_ = warnings.size();
+    if (session.diverged()) state_.notice = {};  // it says all that, and more
+  }
+
   void paint(double elapsed) {
     const Point size = screen_.size();
     const double side = state_.panel ? std::min(panel_width * state_.scale, size.x) : 0;
     const Box scene{{0, 0}, {size.x - side, size.y}}, panel{{size.x - side, 0}, {side, size.y}};
     screen_.begin_frame(ink::sheet);
     if (scene.extent.x > 1 && scene.extent.y > 1) view_.paint(screen_.canvas(), state_, scene);
+    controls_.name("domain", view_.domain());
     state_.menu_open = false;
     if (state_.panel) panel_.lay_out(state_, panel);
     state_.close_menu = false;
-    lay_out_divergence(state_, scene, controls_);
-    lay_out_notice(state_, scene, elapsed);
+    lay_out_divergence(state_, view_.view().scene, controls_);
+    lay_out_notice(state_, view_.view().scene, elapsed);
     lay_out_help(state_, scene);
     screen_.end_frame();
     if (std::exchange(state_.picture_wanted, false))
@@ -110,6 +127,8 @@ class Window {
   Watch watch_;
   std::string title_;
   double until_title_ = 0;
+  long starts_ = 0;
+  std::size_t scene_ = 0, warnings_ = 0;
 };
 
 }  // namespace

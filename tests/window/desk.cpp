@@ -71,6 +71,7 @@ Child::Child(const std::vector<std::string>& command, const std::map<std::string
   dup2(out, 2);
   for (const int descriptor : keep) fcntl(descriptor, F_SETFD, 0);
   for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+  if (chdir(log.parent_path().c_str()) != 0) _exit(127);
   execvp(words.front(), words.data());
   _exit(127);
 }
@@ -144,7 +145,7 @@ Desk::~Desk() {
   std::error_code ignored;
   std::filesystem::remove_all(server_folder_, ignored);
   std::ofstream log(folder_ / "trace.log");
-  for (const auto& line : lines_) log << line << '\n';
+  for (const auto& line : lines_) log << line.text << '\n';
 }
 
 void Desk::start(const std::vector<std::string>& command) {
@@ -174,14 +175,16 @@ bool Desk::read_lines(double seconds) {
   for (std::size_t end = 0; (end = rest_.find('\n')) != std::string::npos;) {
     std::string line = rest_.substr(0, end);
     rest_.erase(0, end + 1);
-    if (line.rfind("control ", 0) == 0) {
+    if (line.empty()) {
+      ++frames_ended_;
+    } else if (line.starts_with("control ")) {
       std::istringstream words(line.substr(8));
       std::string name;
       Place place;
       words >> name >> place.x >> place.y >> place.width >> place.height;
       controls_[name] = place;
     } else {
-      lines_.push_back(std::move(line));
+      lines_.push_back({std::move(line), frames_ended_});
     }
   }
   return true;
@@ -190,10 +193,10 @@ bool Desk::read_lines(double seconds) {
 std::string Desk::await(std::string_view beginning, double seconds) {
   const auto end = in(seconds);
   for (;;) {
-    for (std::size_t i = next_; i < lines_.size(); ++i) {
-      if (lines_[i].compare(0, beginning.size(), beginning) != 0) continue;
-      next_ = i + 1;
-      return lines_[i].substr(beginning.size());
+    if (const auto line = find(beginning); line != lines_.end()) {
+      line->returned = true;
+      frame_ = line->frame;
+      return line->text.substr(beginning.size());
     }
     const int left = milliseconds_until(end);
     if (left == 0) fail("waited in vain for \"" + std::string(beginning) + "\"");
@@ -201,11 +204,15 @@ std::string Desk::await(std::string_view beginning, double seconds) {
   }
 }
 
+std::vector<Desk::Line>::iterator Desk::find(std::string_view beginning) {
+  return std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) {
+    return line.frame >= frame_ && !line.returned && line.text.starts_with(beginning);
+  });
+}
+
 bool Desk::seen(std::string_view beginning) {
   read_lines(0);
-  return std::any_of(
-      lines_.begin() + static_cast<std::ptrdiff_t>(next_), lines_.end(),
-      [&](const std::string& line) { return line.compare(0, beginning.size(), beginning) == 0; });
+  return find(beginning) != lines_.end();
 }
 
 int Desk::await_exit(double seconds) {
@@ -216,10 +223,12 @@ int Desk::await_exit(double seconds) {
   return program_->await_end(milliseconds_until(end) / 1000.0);
 }
 
+void Desk::interrupt() { kill(program_->id(), SIGINT); }
+
 void Desk::fail(const std::string& sentence) const {
   std::ostringstream text;
   text << sentence << "\nwhat came until then:";
-  for (std::size_t i = 0; i < lines_.size(); ++i) text << "\n  " << (i < next_ ? "* " : "  ") << lines_[i];
+  for (const auto& line : lines_) text << "\n  " << (line.returned ? "* " : "  ") << line.text;
   std::ifstream log(folder_ / "program.log");
   text << "\nprinted:\n" << std::string(std::istreambuf_iterator<char>(log), {});
   throw std::runtime_error(text.str());

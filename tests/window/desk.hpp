@@ -15,7 +15,7 @@ namespace clapotis::testing {
 class Child {
  public:
   /// Starts `command` with `environment` added to ours; what it prints goes to `log`. The descriptors in
-  /// `keep` stay open in it.
+  /// `keep` stay open in it. It runs in the folder of its log.
   Child(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment,
         const std::filesystem::path& log, const std::vector<int>& keep = {});
   ~Child();
@@ -50,12 +50,14 @@ class Desk {
   ~Desk();
 
   void start(const std::vector<std::string>& command);
-  /// Waits for a line that begins with `beginning`, after the line that was last waited for, and returns the
-  /// rest of it. Throws, with all lines so far, when the program ends or `seconds` pass.
+  /// Waits for a line that begins with `beginning`, of the frame that was last waited for or of a later one,
+  /// and returns the rest of it; no line is returned twice. Throws, with all lines so far, when the program
+  /// ends or `seconds` pass.
   std::string await(std::string_view beginning, double seconds = 60);
-  /// Whether such a line has come by now, without waiting: after an awaited line that must come later.
+  /// Whether such a line has come by now, without waiting: of use after an awaited line that must come later.
   [[nodiscard]] bool seen(std::string_view beginning);
   int await_exit(double seconds = 60);
+  void interrupt();  ///< Ctrl-C in the terminal it was started from
 
   void move(int x, int y);                   ///< the mouse, in pixels of the program's window
   void click(int x, int y, int button = 1);  ///< 1 left, 2 middle, 3 right, 4 wheel away, 5 wheel towards
@@ -75,6 +77,9 @@ class Desk {
 
   /// Saves what is on the screen as NAME.png.
   std::filesystem::path picture(const std::string& name);
+  /// Where the log, the pictures and what the program writes are.
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::string& display() const { return environment_.at("DISPLAY"); }
 
  private:
   void start_openbox();
@@ -89,8 +94,17 @@ class Desk {
   int trace_ = -1;
   bool trace_open_ = false;
   std::string rest_, window_;
-  std::vector<std::string> lines_;
-  std::size_t next_ = 0;
+  struct Line {
+    std::string text;
+    std::size_t frame = 0;
+    bool returned = false;
+  };
+  /// The first line not yet returned that begins so, or the end.
+  std::vector<Line>::iterator find(std::string_view beginning);
+
+  std::vector<Line> lines_;
+  std::size_t frame_ = 0;  ///< of the line that was last waited for
+  std::size_t frames_ended_ = 0;
   std::map<std::string, Place> controls_;
 };
 
