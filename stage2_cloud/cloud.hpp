@@ -39,22 +39,27 @@ using CloudModel = FusedModel<Search, Mass, Gravity, AirDrag, ContactSpring, Sup
 
 inline View2D whole_box(Parameters& p) { return {0, p.number(box_width), 0, p.number(box_height)}; }
 
+/// The box, its laws and no discs yet: a scene first asks whether they fit.
+template <class Search>
+Setup empty_box(Parameters& p) {
+  return {.particles = Particles(0, p.number(disc_mass)),
+          .model = std::make_unique<CloudModel<Search>>(p),
+          .radius = p.number(disc_radius),
+          .view = whole_box(p)};
+}
+
 /// N discs, placed at random above (x0, y0) without touching, fall with the velocity (vx0, vy0) in the box.
 template <class Search>
 Setup cloud(Parameters& p) {
   const Index n = p.integer(particle_count);
-  const double mass = p.number(disc_mass);
-  Setup setup{.particles = {},
-              .model = std::make_unique<CloudModel<Search>>(p),
-              .radius = p.number(disc_radius),
-              .view = whole_box(p)};
+  auto setup = empty_box<Search>(p);
   const Walls walls = *setup.model->walls();
   const double left = std::max(p.number(start_x) + setup.radius, walls.left);
   const double bottom = std::max(p.number(start_y) + setup.radius, walls.bottom);
   const Vectors places =
       scattered_discs(n, setup.radius, {left, walls.right, bottom, walls.top},
                       static_cast<std::uint64_t>(p.integer(placement_seed)), p.length_unit());
-  setup.particles = Particles(n, mass);  // only now that they fit
+  setup.particles = Particles(n, setup.particles.uniform_mass);
   setup.particles.position = places;
   setup.particles.velocity.col(0) = p.number(start_vx);
   setup.particles.velocity.col(1) = p.number(start_vy);
@@ -85,13 +90,9 @@ Setup pair(Parameters& p) {
 template <class Search>
 Setup stack(Parameters& p) {
   const Index n = p.integer(particle_count);
-  const double mass = p.number(disc_mass);
-  Setup setup{.particles = {},
-              .model = std::make_unique<CloudModel<Search>>(p),
-              .radius = p.number(disc_radius),
-              .view = whole_box(p)};
+  auto setup = empty_box<Search>(p);
   require_height(p, n, setup.radius);
-  setup.particles = Particles(n, mass);
+  setup.particles = Particles(n, setup.particles.uniform_mass);
   setup.particles.position.col(0) = p.number(box_width) / 2;
   setup.particles.position.col(1) =
       setup.radius * (1 + 2 * Column::LinSpaced(n, 0, static_cast<double>(n - 1)));
