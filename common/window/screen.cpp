@@ -192,6 +192,14 @@ sf::VideoMode mode(int width, int height, double scale) {
   return {pixels(width, desktop.width), pixels(height, desktop.height)};
 }
 
+/// The window's upper left corner that puts it in the middle of the screen; SFML 2.5 by itself takes the
+/// width for the height, and hides the lower part of the window where no window manager corrects it.
+sf::Vector2i centred(const sf::Vector2u& size) {
+  const auto desktop = sf::VideoMode::getDesktopMode();
+  return {static_cast<int>(desktop.width - std::min(size.x, desktop.width)) / 2,
+          static_cast<int>(desktop.height - std::min(size.y, desktop.height)) / 2};
+}
+
 /// SFML complains of every screen without vertical sync, which we do not use. What it said is kept for a
 /// failure.
 class QuietStart {
@@ -221,6 +229,7 @@ struct Screen::Parts {
                       }}) {
     if (!window.isOpen()) throw std::runtime_error("no window: " + start.said());
     start.end();
+    window.setPosition(centred(window.getSize()));
     window.setFramerateLimit(60);  // not vertical sync: some drivers stop a minimised window for good
   }
   double scale;
