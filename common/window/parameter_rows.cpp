@@ -20,8 +20,7 @@ bool has_no_end(const Parameter& p) { return p.integer && p.range.high > 1e9; }
 
 /// The number that the user sees, as text: what a slider shows is what it sets.
 std::string rounded_text(const Parameter& p, double value) {
-  return p.integer ? fmt::format("{:.0f}", value)
-                   : to_text(parse_number(p.name, fmt::format("{:.4g}", value), p.allowed()));
+  return p.integer ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
 }  // namespace
