@@ -277,6 +277,8 @@ void Screen::end_frame() {
   parts_->window.display();
 }
 
+void Screen::rest() { sf::sleep(sf::seconds(1 / 60.0F)); }
+
 Canvas& Screen::canvas() { return parts_->canvas; }
 void Screen::title(const std::string& ascii) { parts_->window.setTitle(ascii); }
 

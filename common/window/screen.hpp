@@ -23,6 +23,8 @@ class Screen {
   void begin_frame(Colour background);
   /// Puts ImGui over the canvas and shows the picture; returns no sooner than 1/60 s after the last one.
   void end_frame();
+  /// Lets as much time pass as a frame takes, without painting one.
+  void rest();
   [[nodiscard]] Canvas& canvas();
   void title(const std::string& ascii);
   [[nodiscard]] unsigned long handle() const;  ///< the operating system's name for the window

@@ -49,10 +49,12 @@ std::size_t atlas_level(double radius) {
 }
 
 constexpr double thinnest = 1, thickest = 8;  // lines with a cross section of their own [pixel]
-constexpr unsigned sections_left = 16,
-                   section_width = 4;  // place of the first one, and of the next ones after it
-constexpr unsigned section_rows = 12;
-constexpr double sections_per_pixel = 4, section_middle = section_rows / 2.0;
+constexpr double sections_per_pixel = 4;
+constexpr unsigned sections_left = 48, section_width = 4;  // of the texture: the first one, and the next ones
+constexpr double texels_per_pixel = 4;  // across a line: its edge is not linear within a pixel
+constexpr unsigned section_rows = 48;
+constexpr double section_middle = section_rows / 2.0;
+static_assert((thickest + 1) * texels_per_pixel < section_rows);
 
 /// Opacity at `distance` from the middle of a shape that reaches to `radius`: its edge is one pixel soft.
 sf::Color covered(double radius, double distance) {
@@ -76,7 +78,8 @@ sf::Image make_atlas() {
     for (unsigned x = 0; x < section_width; ++x) {
       for (unsigned y = 0; y < section_rows; ++y) {
         image.setPixel(sections_left + section_width * k + x, y,
-                       covered((thinnest + k / sections_per_pixel) / 2, std::abs(y + 0.5 - section_middle)));
+                       covered((thinnest + k / sections_per_pixel) / 2,
+                               std::abs(y + 0.5 - section_middle) / texels_per_pixel));
       }
     }
   }
@@ -92,9 +95,9 @@ CrossSection cross_section(double width) {
   if (width <= thickest) {
     const auto k = static_cast<float>(std::lround(sections_per_pixel * (width - thinnest)));
     const float x = static_cast<float>(sections_left) + static_cast<float>(section_width) * (k + 0.5f);
-    const double reach = (width + 1) / 2;
-    return {{x, static_cast<float>(section_middle - reach)},
-            {x, static_cast<float>(section_middle + reach)},
+    const double reach = (width + 1) / 2, rows = texels_per_pixel * reach;
+    return {{x, static_cast<float>(section_middle - rows)},
+            {x, static_cast<float>(section_middle + rows)},
             reach};
   }
   const auto level = atlas_level(width / 2);  // that of a disc
@@ -183,9 +186,9 @@ void SfmlCanvas::append_ring(const Disc& disc) {
   append_band(ring_, disc.colour, disc.radius - disc.hole, 1);
 }
 
-/// One quad per segment across which the texture fades at both edges; neighbouring segments share their
-/// corners on the bisector of the angle between them, whose length is bounded at sharp turns. The first
-/// `hidden` segments only prepare the joint of the next one.
+/// One quad per segment, across which the texture fades at both edges. Where the line bends a little,
+/// neighbouring segments share their corners on the bisector of the angle between them; where it bends more,
+/// a disc joins them. The first `hidden` segments only prepare the joint of the next one.
 void SfmlCanvas::append_band(std::span<const Point> points, Colour colour, double width, std::size_t hidden) {
   if (points.size() < 2) return;
   const auto normal = [](Point from, Point to) -> Point {
@@ -196,21 +199,25 @@ void SfmlCanvas::append_band(std::span<const Point> points, Colour colour, doubl
   colour.opacity *= static_cast<float>(width / drawn);
   const auto shade = of(colour);
   const auto section = cross_section(drawn);
+  const auto edge = [&](Point at, Point across, double reach, sf::Vector2f texture) {
+    return sf::Vertex(of(Point{at.x + reach * across.x, at.y + reach * across.y}), shade, texture);
+  };
   sf::Vertex last_left, last_right;
   Point before{0, 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
     Point after = i + 1 < points.size() ? normal(points[i], points[i + 1]) : before;
     if (after == Point{0, 0}) after = before;  // two points in one place
     if (before == Point{0, 0}) before = after;
+    const bool bends = before.x * after.x + before.y * after.y < 0.8;  // by more than 37 degrees
     const Point sum{before.x + after.x, before.y + after.y};
-    const double squared =
-        std::max(sum.x * sum.x + sum.y * sum.y, 0.5);  // the longest mitre: 2.8 half widths
-    const Point corner{2 * section.reach / squared * sum.x, 2 * section.reach / squared * sum.y};
-    const sf::Vertex left(of(Point{points[i].x - corner.x, points[i].y - corner.y}), shade, section.left);
-    const sf::Vertex right(of(Point{points[i].x + corner.x, points[i].y + corner.y}), shade, section.right);
+    const double squared = sum.x * sum.x + sum.y * sum.y;
+    const Point across = bends || squared == 0 ? before : Point{2 * sum.x / squared, 2 * sum.y / squared};
+    const auto left = edge(points[i], across, -section.reach, section.left);
+    const auto right = edge(points[i], across, section.reach, section.right);
     if (i > hidden) append_quad(vertices_, {last_left, left, right, last_right});
-    last_left = left;
-    last_right = right;
+    last_left = bends ? edge(points[i], after, -section.reach, section.left) : left;
+    last_right = bends ? edge(points[i], after, section.reach, section.right) : right;
+    if (bends) append_disc({points[i], drawn / 2, colour});
     before = after;
   }
 }
@@ -219,8 +226,19 @@ void SfmlCanvas::line(std::span<const Point> points, Colour colour, double width
   append_band(points, colour, width, 0);
 }
 
+/// A piece shorter than that would fall between the pixels: a dashed line of a noisy curve has such pieces.
 void SfmlCanvas::segments(std::span<const Point> ends, Colour colour, double width) {
-  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) append_band(ends.subspan(k, 2), colour, width, 0);
+  constexpr double shortest = 1.5;  // [pixel]
+  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+    Point a = ends[k], b = ends[k + 1];
+    const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+    if (length > 0 && length < shortest) {
+      const double more = (shortest / length - 1) / 2;
+      a = {a.x - more * dx, a.y - more * dy};
+      b = {b.x + more * dx, b.y + more * dy};
+    }
+    append_band(std::array{a, b}, colour, width, 0);
+  }
 }
 
 void SfmlCanvas::flush() {
