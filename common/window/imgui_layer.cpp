@@ -41,14 +41,20 @@ bool is_button(const Input& input) {
 }
 
 #if IMGUI_VERSION_NUM >= 18700
+#if IMGUI_VERSION_NUM >= 18900
+constexpr auto shift_key = ImGuiMod_Shift, control_key = ImGuiMod_Ctrl, alt_key = ImGuiMod_Alt;
+#else
+constexpr auto shift_key = ImGuiKey_ModShift, control_key = ImGuiKey_ModCtrl, alt_key = ImGuiKey_ModAlt;
+#endif
+
 /// ImGui keeps its own queue: hand everything over at once.
 void feed(const Input& input) {
   auto& io = ImGui::GetIO();
   using Kind = Input::Kind;
   if (is_key(input)) {
-    io.AddKeyEvent(ImGuiMod_Shift, input.shift);
-    io.AddKeyEvent(ImGuiMod_Ctrl, input.control);
-    io.AddKeyEvent(ImGuiMod_Alt, input.alt);
+    io.AddKeyEvent(shift_key, input.shift);
+    io.AddKeyEvent(control_key, input.control);
+    io.AddKeyEvent(alt_key, input.alt);
     for (const auto& [ours, theirs] : keys) {
       if (ours == input.key) io.AddKeyEvent(theirs, input.kind == Kind::key_down);
     }

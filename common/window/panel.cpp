@@ -142,14 +142,14 @@ void Panel::scene(WindowState& state) {
 }
 
 void Panel::parameters(WindowState& state) {
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   {
     theme::Bold bold;
     ImGui::AlignTextToFramePadding();
     text(w().live);
   }
   const std::string label(w().defaults);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(label.c_str()).x -
-                  2 * ImGui::GetStyle().FramePadding.x);
+  ImGui::SameLine(end - ImGui::CalcTextSize(label.c_str()).x - 2 * ImGui::GetStyle().FramePadding.x);
   if (button("defaults", label, 0)) state.attempt([&] { state.session.restore_defaults(); });
   ImGui::Separator();
   rows_.lay_out(state, controls_, ParameterRows::Group::live);

@@ -19,6 +19,11 @@ constexpr Index arrow_heads = 2000;     // with more particles a head is a blot
 
 std::string number(double value) { return fmt::format("{:.4g}", value == 0 ? 0.0 : value); }
 
+void paint_box(Canvas& canvas, const Box& box) {
+  canvas.rectangle({{box.corner.x - 1, box.corner.y - 1}, {box.extent.x + 2, box.extent.y + 2}}, ink::grid);
+  canvas.rectangle(box, ink::paper);
+}
+
 std::string vector_text(std::string_view symbol, const Vector& v, const std::string& unit) {
   return fmt::format("{} = ({}, {}) {}", symbol, number(v.x), number(v.y), unit);
 }
@@ -61,7 +66,8 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
 
 void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
   const auto& particles = state.session.simulation().particles();
-  const double high = state.sight.arrow_range.follow(max_speed(particles));
+  const double typical = std::sqrt(particles.velocity.square().rowwise().sum().mean());
+  const double high = state.sight.arrow_range.follow(2 * typical);
   const double length = longest_arrow * state.scale / high;
   ends_.clear();
   for (Index i = 0; i < particles.size(); ++i) {
@@ -78,17 +84,24 @@ void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
     }
   }
   canvas.segments(ends_, ink::text, 1.5 * state.scale);
-  const double margin = 14 * state.scale, height = 16 * state.scale;
-  const Point left{view_.scene.corner.x + margin, view_.scene.corner.y + view_.scene.extent.y - 2 * margin};
-  const Point right{left.x + longest_arrow * state.scale, left.y};
-  const double head = 6 * state.scale;
+  paint_arrow_key(canvas, state, high);
+}
+
+/// In a corner of the scene: how long the arrow of a round speed is.
+void SceneView::paint_arrow_key(Canvas& canvas, const WindowState& state, double speed) {
+  const double scale = state.scale, margin = 10 * scale, height = 16 * scale, length = longest_arrow * scale;
+  const auto label = say(words().window.velocity_scale, fmt::arg("speed", number(speed)),
+                         fmt::arg("unit", state.session.simulation().scene().length_unit + "/s"));
+  const Point extent{length + canvas.text_width(label, height) + 3 * margin, 2 * height};
+  const Point corner{view_.scene.corner.x + margin,
+                     view_.scene.corner.y + view_.scene.extent.y - margin - extent.y};
+  paint_box(canvas, {corner, extent});
+  const Point left{corner.x + margin, corner.y + extent.y / 2}, right{left.x + length, left.y};
+  const double head = 6 * scale;
   canvas.segments(std::array{left, right, right, Point{right.x - head, right.y - head / 2}, right,
                              Point{right.x - head, right.y + head / 2}},
-                  ink::text, 2 * state.scale);
-  canvas.text({right.x + margin / 2, right.y + height / 3},
-              say(words().window.velocity_scale, fmt::arg("speed", number(high)),
-                  fmt::arg("unit", state.session.simulation().scene().length_unit + "/s")),
-              height, ink::text);
+                  ink::text, 2 * scale);
+  canvas.text({right.x + margin, right.y + 0.36 * height}, label, height, ink::text);
 }
 
 void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
@@ -119,8 +132,7 @@ void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
   const double from_left = left_half ? scene.extent.x - width - 3 * margin : margin;
   const Point corner{scene.corner.x + from_left, scene.corner.y + margin};
   const double tall = leading * static_cast<double>(lines.size() + 1) + margin;
-  canvas.rectangle({{corner.x - 1, corner.y - 1}, {width + 2 * margin + 2, tall + 2}}, ink::grid);
-  canvas.rectangle({corner, {width + 2 * margin, tall}}, ink::paper);
+  paint_box(canvas, {corner, {width + 2 * margin, tall}});
   canvas.rectangle({corner, {4 * scale, tall}}, ink::chosen);
   Point at{corner.x + margin + 2 * scale, corner.y + leading};
   canvas.text(at, title, height, ink::faint_text);

@@ -44,11 +44,17 @@ class Window {
     while (!state_.quit && !Interrupt::asked()) {
       const double now = wall_seconds(), elapsed = now - last;
       last = now;
-      for (const Input& input : screen_.poll()) handle(input);
+      const auto inputs = screen_.poll();
+      for (const Input& input : inputs) handle(input);
       state_.session.advance(elapsed, budget);
       notice_changes();
+      if (is_calm(now, !inputs.empty())) {
+        screen_.rest();
+        continue;
+      }
       state_.cost.frame(state_.session, elapsed, screen_.frame_cpu_seconds());
       paint(elapsed);
+      painted_ = now;
       name_window(elapsed);
       watch_.look(state_, screen_.size(), trace_);
       trace_.flush();
@@ -58,6 +64,14 @@ class Window {
   }
 
  private:
+  /// When nothing moves, ten frames per second do: a paused lecture should not heat the laptop. Not none at
+  /// all, as nobody tells when another window uncovered ours.
+  bool is_calm(double now, bool input) {
+    const bool moves = !state_.session.paused() && !state_.session.diverged();
+    if (moves || input || !state_.typing.empty() || state_.notice.seconds_left > 0) stirred_ = now;
+    return now - stirred_ > 0.5 && now - painted_ < 0.1;
+  }
+
   void handle(const Input& input) {
     using Kind = Input::Kind;
     if (input.kind == Kind::closed) {
@@ -127,6 +141,7 @@ class Window {
   Watch watch_;
   std::string title_;
   double until_title_ = 0;
+  double stirred_ = 0, painted_ = 0;  ///< when something last happened, and was last painted [s]
   long starts_ = 0;
   std::size_t scene_ = 0, warnings_ = 0;
 };
