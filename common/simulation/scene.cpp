@@ -4,7 +4,7 @@
 
 namespace clapotis {
 
-const Scene& Stage::scene(std::string_view wanted) const {
+const Scene& Stage::scene(std::string_view wanted) const& {
   if (wanted.empty()) return scenes.front();
   std::vector<std::string> names;
   for (const auto& scene : scenes) {

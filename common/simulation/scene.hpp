@@ -55,7 +55,8 @@ struct Stage {
   std::vector<Scene> scenes;
 
   /// The scene of that name, the first one for an empty name; throws BadInput with the nearest name.
-  [[nodiscard]] const Scene& scene(std::string_view name) const;
+  [[nodiscard]] const Scene& scene(std::string_view wanted) const&;
+  [[nodiscard]] Scene scene(std::string_view wanted) && { return scene(wanted); }  // of a temporary: a copy
 };
 
 }  // namespace clapotis
