@@ -49,12 +49,13 @@ class Sweep {
         const Run j{at};
         const Vec<Pack> d = r - Vec<Pack>{load(x_.data(), j), load(y_.data(), j)};
         const Pack d2 = dot(d, d);
-        const auto near = d2 < support2 && lanes() < static_cast<double>(last - at);
+        const auto near = d2 < support2 && lanes < static_cast<double>(last - at);
         if (none_of(near)) continue;
         const auto apart = d2 > one_point;
         at_one_point += popcount(near && !apart);
-        const Pack inverse = inverse_sqrt(select(near && apart, d2, Pack(4 * support2)));
-        meet(j, Encounter{d, select(near && apart, d2 * inverse, Pack(2 * support_)), inverse * d});
+        const Pack distance2 = select(near && apart, d2, Pack(4 * support2));
+        const Pack inverse = inverse_sqrt(distance2);
+        meet(j, Encounter{d, distance2 * inverse, inverse * d});
       }
     });
     return std::max(at_one_point, 0);  // a particle without a position is not even where it is itself
