@@ -12,13 +12,15 @@
 /// A law is a small value type with a `name`, a function `from(Parameters&)` that reads its parameters, and
 /// one or more of these hooks. A hook that it lacks generates no code.
 ///
-///   Vector    body(p, i, t)        acceleration of particle i at time t [L/s^2]
-///   Vec<Pack> pair(p, i, j, ij)    acceleration of particle i by the particles j; zero at and beyond the
-///   support double    support()            with `pair`: the distance beyond which nothing acts [L] void
-///   settle(system, dt)   after the step; the only place that may move a particle double    potential(p, i)
-///   energy stored by `body` [energy] Pack      pair_potential(p, i, j, ij)  energy stored between i and each
-///   j [energy] double    dissipation(p, i)    power that `body` takes out of the motion [energy/s] StepLimit
-///   limit(particles)     the largest stable time step
+/// - `Vector body(p, i, t)`: acceleration of particle i at time t [L/s^2]
+/// - `Vec<Pack> pair(p, i, j, ij)`: acceleration of particle i by the particles j, zero at and beyond the
+///   support [L/s^2]
+/// - `double support()`: with `pair`, the distance beyond which nothing acts [L]
+/// - `void settle(system, dt)`: after the step; the only place that may move a particle
+/// - `double potential(p, i)`: energy stored by `body` [energy]
+/// - `Pack pair_potential(p, i, j, ij)`: energy stored between i and each j [energy]
+/// - `double dissipation(p, i)`: power that `body` takes out of the motion [energy/s]
+/// - `StepLimit limit(particles)`: the largest stable time step
 ///
 /// `p` gives p.position(i), p.velocity(i), p.mass(i). In `pair`, i is one particle and j is as many as a pack
 /// holds, so p.mass(j) is a Pack, and a value of j cannot be asked about with `if`: use max, min, select

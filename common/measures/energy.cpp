@@ -7,14 +7,10 @@
 namespace clapotis {
 namespace {
 
-Vector weighted_mean_sum(const Particles& p, const Vectors& a, double& mass) {
+/// sum m a
+Vector sum_by_mass(const Particles& p, const Vectors& a) {
   Vector sum{0, 0};
-  mass = 0;
-  for (Index i = 0; i < p.size(); ++i) {
-    const double m = p.mass(i);
-    sum += m * row(a, i);
-    mass += m;
-  }
+  for (Index i = 0; i < p.size(); ++i) sum += p.mass(i) * row(a, i);
   return sum;
 }
 
@@ -33,15 +29,12 @@ Energy energy(System& s) {
           .dissipated = s.dissipated_energy};
 }
 
-Vector momentum(const Particles& particles) {
-  double mass = 0;
-  return weighted_mean_sum(particles, particles.velocity, mass);
-}
+Vector momentum(const Particles& particles) { return sum_by_mass(particles, particles.velocity); }
 
 Vector centre_of_mass(const Particles& particles) {
   double mass = 0;
-  const Vector sum = weighted_mean_sum(particles, particles.position, mass);
-  return (1 / mass) * sum;
+  for (Index i = 0; i < particles.size(); ++i) mass += particles.mass(i);
+  return (1 / mass) * sum_by_mass(particles, particles.position);
 }
 
 double max_speed(const Particles& particles) {

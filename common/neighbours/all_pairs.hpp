@@ -12,8 +12,6 @@ namespace clapotis {
 /// last) of slots that hold at least all particles within the support, itself included.
 class AllPairs {
  public:
-  static constexpr bool sorts = false;  ///< slot and id are the same
-
   void build(const Vectors& position, double /*support*/, int /*threads*/) { n_ = position.rows(); }
   [[nodiscard]] Index id(Index slot) const { return slot; }
   void candidates(Vector /*r*/, auto&& visit) const { visit(Index{0}, n_); }

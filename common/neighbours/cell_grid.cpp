@@ -2,27 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace clapotis {
 
 void CellGrid::lay_out(const Vectors& position, double support) {
-  constexpr double huge = std::numeric_limits<double>::max();
-  Vector low{huge, huge}, high{-huge, -huge};
-  for (Index axis = 0; axis < 2; ++axis) {
-    double least = huge, most = -huge;
-    for (const double r : position.col(axis)) {
-      least = r < least ? r : least;  // a NaN changes neither
-      most = r > most ? r : most;
-    }
-    (axis == 0 ? low.x : low.y) = least;
-    (axis == 0 ? high.x : high.y) = most;
-  }
   const double n = static_cast<double>(position.rows());
+  Vector low{0, 0}, high{0, 0};
+  if (n > 0) {  // a NaN changes neither, unless all are
+    low = {position.col(0).minCoeff<Eigen::PropagateNumbers>(),
+           position.col(1).minCoeff<Eigen::PropagateNumbers>()};
+    high = {position.col(0).maxCoeff<Eigen::PropagateNumbers>(),
+            position.col(1).maxCoeff<Eigen::PropagateNumbers>()};
+  }
   const double width = high.x - low.x, height = high.y - low.y;
   const double most_cells = 4 * n + 64;
   cell_ = support * (1 + 1e-6);  // so that round-off cannot put two neighbours two cells apart
-  if (!std::isfinite(width) || !std::isfinite(height) || width < 0 || height < 0) {
+  if (!std::isfinite(width) || !std::isfinite(height)) {
     origin_ = {0, 0};
     columns_ = lines_ = 1;
     inverse_cell_ = 0;

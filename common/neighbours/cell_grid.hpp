@@ -13,8 +13,6 @@ namespace clapotis {
 /// particles may share one.
 class CellGrid {
  public:
-  static constexpr bool sorts = true;
-
   /// Sorts the particles into cells. The grid covers just the particles; where they are spread so thinly that
   /// cells of one support would outnumber them, the cells grow. Particles without a finite position have no
   /// neighbours.

@@ -16,12 +16,15 @@ using Pack = std::experimental::native_simd<double>;
 
 inline constexpr long pack_width = static_cast<long>(Pack::size());
 
-inline Pack max(const Pack& a, double b) { return std::experimental::max(a, Pack(b)); }
-inline Pack min(const Pack& a, double b) { return std::experimental::min(a, Pack(b)); }
+// Always inlined, for GCC counts the many small functions inside simd, gives up, and then a call costs more
+// than what is called.
+
+[[gnu::always_inline]] inline Pack max(const Pack& a, double b) { return std::experimental::max(a, Pack(b)); }
+[[gnu::always_inline]] inline Pack min(const Pack& a, double b) { return std::experimental::min(a, Pack(b)); }
 using std::experimental::sqrt;
 
 /// `yes` where `condition` holds, `no` elsewhere: what an `if` is for one number.
-inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack& no) {
+[[gnu::always_inline]] inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack& no) {
   Pack result = no;
   where(condition, result) = yes;
   return result;
@@ -29,7 +32,7 @@ inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack
 
 /// 1/sqrt(a) for a > 0, to within 2 units in the last place. Where the machine has an estimate of 14 bits,
 /// two Newton steps, y (3 - a y^2)/2, cost a third of a square root and a division.
-inline Pack inverse_sqrt(const Pack& a) {
+[[gnu::always_inline]] inline Pack inverse_sqrt(const Pack& a) {
 #ifdef __AVX512F__
   const auto y0 = Pack(_mm512_rsqrt14_pd(static_cast<__m512d>(a)));
   const Pack y1 = y0 * (1.5 - 0.5 * a * y0 * y0);
@@ -41,10 +44,7 @@ inline Pack inverse_sqrt(const Pack& a) {
 
 inline double sum(const Pack& a) { return std::experimental::reduce(a); }
 
-/// 0, 1, 2, ...
-inline const Pack& lanes() {
-  static const Pack numbers([](auto lane) { return static_cast<double>(lane); });
-  return numbers;
-}
+/// 0, 1, 2, ...: the number of each lane.
+inline const Pack lanes([](auto lane) { return static_cast<double>(lane); });
 
 }  // namespace clapotis

@@ -12,7 +12,7 @@ Particles::Particles(Index count, double mass)
 
 Column& Particles::add_column(std::string name, std::string unit) {
   if (column(name) != nullptr) throw std::logic_error("the column " + name + " exists already");
-  if (name == "mass") masses = extra.size();
+  if (name == "mass") masses_ = extra.size();
   extra.push_back({std::move(name), std::move(unit), Column::Zero(size())});
   return extra.back().values;
 }
@@ -24,7 +24,7 @@ const Column* Particles::column(std::string_view name) const {
 }
 
 double Particles::least_mass() const {
-  return masses == none || size() == 0 ? uniform_mass : extra[masses].values.minCoeff();
+  return masses_ == none || size() == 0 ? uniform_mass : extra[masses_].values.minCoeff();
 }
 
 std::size_t Particles::bytes() const {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "common/particles/vec.hpp"
 
@@ -35,10 +35,12 @@ struct Particles {
   Vectors velocity;      ///< v [L/s]
   Vectors acceleration;  ///< a [L/s^2]: sum of the laws at the last evaluation
   double uniform_mass = 1;
-  std::vector<NamedColumn> extra;
+  std::deque<NamedColumn> extra;  ///< a deque: columns stay where they are when others are added
 
   [[nodiscard]] Index size() const { return position.rows(); }
-  [[nodiscard]] double mass(Index i) const { return masses != none ? extra[masses].values(i) : uniform_mass; }
+  [[nodiscard]] double mass(Index i) const {
+    return masses_ != none ? extra[masses_].values(i) : uniform_mass;
+  }
 
   /// The smallest mass: what bounds the time step.
   [[nodiscard]] double least_mass() const;
@@ -52,7 +54,7 @@ struct Particles {
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t masses = none;
+  std::size_t masses_ = none;  ///< place of the column "mass"
 };
 
 }  // namespace clapotis

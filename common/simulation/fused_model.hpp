@@ -176,9 +176,10 @@ class FusedModel final : public Model {
     }
   }
 
-  /// Acceleration of the particle in `slot` by its neighbours.
+  /// Acceleration of the particle in `slot` by its neighbours. Flattened: the loop over packs and the laws in
+  /// one function, so that sums and constants stay in registers.
   template <class... Some>
-  Vector by_pairs(Slot slot, std::atomic<long long>& at_one_point) const {
+  [[gnu::flatten]] Vector by_pairs(Slot slot, std::atomic<long long>& at_one_point) const {
     const auto& p = sweep_.view();
     const auto all_laws = [&](Run j, const Encounter& ij) {
       Vec<Pack> sum{Pack(0.0), Pack(0.0)};

@@ -29,7 +29,7 @@ struct StoredEnergy {
   double elastic = 0;    ///< springs
 };
 
-/// What the last evaluations cost, in seconds of one phase each.
+/// Time that evaluations took, by phase [s].
 struct PhaseSeconds {
   double neighbours = 0, forces = 0;
 };
@@ -76,8 +76,7 @@ class Model {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
   [[nodiscard]] virtual bool has_pairs() const = 0;
 
-  /// Seconds spent by phase while `timed` was set.
-  PhaseSeconds seconds;
+  PhaseSeconds seconds;  ///< spent while `timed` was set
   bool timed = false;
   int threads = 1;
   long long coincident = 0;  ///< pairs met at one point so far

@@ -117,6 +117,11 @@ const Parameter* Parameters::find(std::string_view name) const {
   return const_cast<Parameters*>(this)->entry(name);
 }
 
+double Parameters::value(std::string_view name) const {
+  if (const auto* p = find(name)) return p->value;
+  throw std::logic_error("no law or scene has read the parameter " + std::string(name));
+}
+
 Parameter& Parameters::note(Parameter p) {
   if (auto* known = entry(p.name)) return *known;
   p.unit = replace_length(p.unit, length_unit_);

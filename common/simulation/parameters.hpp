@@ -83,8 +83,9 @@ class Parameters {
 
   [[nodiscard]] const std::deque<Parameter>& all() const { return table_; }
   [[nodiscard]] const Parameter* find(std::string_view name) const;
-  /// The value of a parameter that has been read before.
-  [[nodiscard]] double value(std::string_view name) const { return find(name)->value; }
+  /// The value of a parameter that has been read before; throws std::logic_error where the scene has none
+  /// such.
+  [[nodiscard]] double value(std::string_view name) const;
   [[nodiscard]] const std::string& length_unit() const { return length_unit_; }
   /// What the user asked for, changes in the window included: what a reset starts from.
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }

@@ -29,10 +29,10 @@ std::string about(std::string_view sentence, double dt, const StepLimit& limit) 
 
 /// A state to go back to. The steps from it to any later one can be repeated bit for bit.
 struct Simulation::Checkpoint {
-  Vectors position, velocity, acceleration;
+  Particles particles;
   double time, dissipated, dissipation;
   bool current;
-  long steps;
+  long force_evaluations, steps;
   Clock clock;
   long long coincident, folded;
 };
@@ -67,16 +67,18 @@ void Simulation::use_integrator(std::string_view name) {
   if (checkpoint_) keep();
 }
 
+/// Changes nothing if it throws.
 void Simulation::choose_step() {
   auto limits = setup_.model->limits(particles());
   const double c = falling_sound_speed(parameters_);
   limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
-  dt_ = choose_dt(parameters_.number(step_parameter), limits);
-  limits_ = std::move(limits);
-  sound_speed_ = c;
+  const double dt = choose_dt(parameters_.number(step_parameter), limits);
   // all that the springs hold may become the speed of the lightest particle
   const double v = max_speed(particles());
   const double elastic = setup_.model->stored_energy(particles()).elastic;
+  dt_ = dt;
+  limits_ = std::move(limits);
+  sound_speed_ = c;
   fastest_ = std::max({fastest_, c, 10 * std::sqrt(v * v + 2 * elastic / particles().least_mass())});
 }
 
@@ -175,13 +177,12 @@ void Simulation::keep() {
   if (!checkpoint_) checkpoint_ = std::make_unique<Checkpoint>();
   const auto& s = *system_;
   auto& c = *checkpoint_;
-  c.position = s.position;
-  c.velocity = s.velocity;
-  c.acceleration = s.acceleration;
+  c.particles = s.particles;
   c.time = s.time;
   c.dissipated = s.dissipated_energy;
   c.dissipation = s.dissipation;
   c.current = s.current;
+  c.force_evaluations = s.force_evaluations;
   c.steps = steps_;
   c.clock = clock_;
   c.coincident = s.model.coincident;
@@ -192,13 +193,12 @@ void Simulation::keep() {
 void Simulation::go_back(long steps) {
   auto& s = *system_;
   const auto& c = *checkpoint_;
-  s.position = c.position;
-  s.velocity = c.velocity;
-  s.acceleration = c.acceleration;
+  s.particles = c.particles;
   s.time = c.time;
   s.dissipated_energy = c.dissipated;
   s.dissipation = c.dissipation;
   s.current = c.current;
+  s.force_evaluations = c.force_evaluations;
   clock_ = c.clock;
   s.model.coincident = c.coincident;
   s.model.folded = c.folded;

@@ -13,7 +13,9 @@ namespace clapotis {
 using Slot = Index;
 
 /// The columns that pair laws read, copied into the order of the neighbour search, so that the candidates of
-/// a particle are contiguous and a pack of them is one load. Padded by one pack of far-away particles.
+/// a particle are contiguous and a pack of them is one load. Behind the last follows one pack of ones, so
+/// that a load never leaves the column: a law computes with them, for nothing, so they must divide and
+/// overflow nothing.
 template <class Search, class Mass, bool with_velocity>
 class Sweep {
  public:
@@ -23,13 +25,14 @@ class Sweep {
     support_ = support;
     search.build(particles.position, support, threads);
     n_ = particles.size();
-    gather(x_, particles.position.col(0).data(), threads);
-    gather(y_, particles.position.col(1).data(), threads);
+    gather(x_, particles.position.col(0).data(), far_away, threads);
+    gather(y_, particles.position.col(1).data(), far_away, threads);
     if constexpr (with_velocity) {
-      gather(vx_, particles.velocity.col(0).data(), threads);
-      gather(vy_, particles.velocity.col(1).data(), threads);
+      gather(vx_, particles.velocity.col(0).data(), 0, threads);
+      gather(vy_, particles.velocity.col(1).data(), 0, threads);
     }
-    if constexpr (std::is_same_v<Mass, StoredMass>) gather(mass_, particles.column("mass")->data(), threads);
+    if constexpr (std::is_same_v<Mass, StoredMass>)
+      gather(mass_, particles.column("mass")->data(), 1, threads);
     view_ = make_view(particles);
   }
 
@@ -37,8 +40,9 @@ class Sweep {
   [[nodiscard]] Vector position(Slot i) const { return {x_(i), y_(i)}; }
 
   /// Calls meet(j, ij) for the packs of particles that may act on the one in `slot`. Lanes that hold itself,
-  /// or a particle beyond the support, are given a distance of twice the support, where no law acts. Returns
-  /// how many others are at its very place; those are the caller's to deal with (`coincident`).
+  /// or a particle beyond the support, are given a distance of twice the support, where no law acts; their
+  /// separation is as it is. Returns how many others are at its very place; those are the caller's to deal
+  /// with (`coincident`).
   template <class Meet>
   int around(Slot slot, const Meet& meet) const {
     const Vec<Pack> r{Pack(x_(slot)), Pack(y_(slot))};
@@ -49,12 +53,13 @@ class Sweep {
         const Run j{at};
         const Vec<Pack> d = r - Vec<Pack>{load(x_.data(), j), load(y_.data(), j)};
         const Pack d2 = dot(d, d);
-        const auto near = d2 < support2 && lanes() < static_cast<double>(last - at);
+        const auto near = d2 < support2 && lanes < static_cast<double>(last - at);
         if (none_of(near)) continue;
         const auto apart = d2 > one_point;
         at_one_point += popcount(near && !apart);
-        const Pack inverse = inverse_sqrt(select(near && apart, d2, Pack(4 * support2)));
-        meet(j, Encounter{d, select(near && apart, d2 * inverse, Pack(2 * support_)), inverse * d});
+        const Pack distance2 = select(near && apart, d2, Pack(4 * support2));
+        const Pack inverse = inverse_sqrt(distance2);
+        meet(j, Encounter{d, distance2 * inverse, inverse * d});
       }
     });
     return std::max(at_one_point, 0);  // a particle without a position is not even where it is itself
@@ -81,23 +86,24 @@ class Sweep {
   }
 
  private:
+  static constexpr double far_away = 1e100;    ///< and yet (v d)^2 is a number [L]
   static constexpr double one_point = 1e-300;  ///< squared distance too small to tell a direction [L^2]
 
   static Vector direction_of(Index a, Index b) {
     const double turn =
         0.7548776662466927 * static_cast<double>(std::min(a, b)) +
-        0.5698402909980532 * static_cast<double>(std::max(a, b));  // spread evenly over the circle
+        0.5698402909980532 * static_cast<double>(std::max(a, b));  // evenly spread: R2 sequence, Roberts 2018
     const double angle = 2 * M_PI * (turn - std::floor(turn));
     const double sign = a < b ? 1 : -1;
     return {sign * std::cos(angle), sign * std::sin(angle)};
   }
 
-  void gather(Column& sorted, const double* column, int threads) {
-    constexpr double far_away = 1e150;
-    if (sorted.size() != n_ + pack_width) sorted = Column::Constant(n_ + pack_width, far_away);
+  /// `instead` takes the place of what is not a number: 0 x NaN would reach the others of its pack.
+  void gather(Column& sorted, const double* column, double instead, int threads) {
+    if (sorted.size() != n_ + pack_width) sorted = Column::Ones(n_ + pack_width);
     for_each(n_, threads, [&](Slot i) {
       const double value = column[search.id(i)];
-      sorted(i) = std::isfinite(value) ? value : far_away;  // 0 x NaN would reach the others of its pack
+      sorted(i) = std::isfinite(value) ? value : instead;
     });
   }
 

@@ -6,8 +6,8 @@
 namespace clapotis {
 
 /// The sound speed the course computes with: c = 10 v_max, with v_max the speed of a free fall from the top
-/// of the box added to the initial speed in energy: v_max^2 = v_0^2 + 2 g H. Handout, section III. Reads
-/// gravity and height and, where the scene has them, vx0 and vy0.
+/// of the box, or from y0 where that is higher, added to the initial speed in energy: v_max^2 = v_0^2 + 2 g
+/// H. Handout, section III. Reads gravity, height, y0, vx0 and vy0; what a scene does not have counts as 0.
 double falling_sound_speed(const Parameters& p);
 
 /// tau = h/c, times cfl: a sound wave crosses at most one radius per step. Handout, section III. Without

@@ -151,7 +151,9 @@ TEST_CASE("what a divergence repeats is not counted twice", "[simulation]") {
   Simulation simulation(bounce(), typed({{"vx0", 1e6}, {"dt", 0.8}, {"restitution", 1.0}, {"drag", 0.0}}));
   run_steps(simulation, 10);
   const auto counted = simulation.model().folded;
+  const auto evaluations = simulation.system().force_evaluations;
   simulation.system().velocity(0, 0) = std::nan("");
   CHECK_THROWS_AS(simulation.step(), Diverged);
   CHECK(simulation.model().folded == counted);
+  CHECK(simulation.system().force_evaluations == evaluations);
 }
