@@ -18,7 +18,8 @@ bool display_available() {
   const auto open_display = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
   // The connection stays open until the program ends: a server whose last client leaves starts anew, and would refuse
   // the one that SFML asks for next.
-  static void* const display = open_display ? open_display(nullptr) : nullptr;
+  static void* display = nullptr;
+  if (!display && open_display) display = open_display(nullptr);
   return display != nullptr;
 }
 #else
