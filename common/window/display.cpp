@@ -16,9 +16,10 @@ bool display_available() {
   if (!library) return false;
   // The function's C prototype, with the Display structure left opaque.
   const auto open_display = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
-  // The connection stays open until the program ends: a server whose last client leaves starts anew, and would refuse
-  // the one that SFML asks for next.
-  static void* const display = open_display ? open_display(nullptr) : nullptr;
+  // The connection stays open until the program ends: a server whose last client leaves starts anew, and
+  // would refuse the one that SFML asks for next.
+  static void* display = nullptr;
+  if (!display && open_display) display = open_display(nullptr);
   return display != nullptr;
 }
 #else

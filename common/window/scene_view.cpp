@@ -67,7 +67,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
 void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
   const auto& particles = state.session.simulation().particles();
   const double typical = std::sqrt(particles.velocity.square().rowwise().sum().mean());
-  const double high = state.sight.arrow_range.follow(2 * typical);
+  const double high = state.sight.arrow_range.follow(std::min(2 * typical, max_speed(particles)));
   const double length = longest_arrow * state.scale / high;
   ends_.clear();
   for (Index i = 0; i < particles.size(); ++i) {

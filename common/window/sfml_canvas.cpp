@@ -17,7 +17,9 @@ namespace {
 
 sf::Color of(Colour c) {
   const auto byte = [](float part) {
-    return static_cast<sf::Uint8>(255 * std::clamp(part, 0.0f, 1.0f) + 0.5f);
+    const float nearest =
+        255 * std::clamp(part, 0.0f, 1.0f) + 0.5f;  // never negative: cutting it off rounds it
+    return static_cast<sf::Uint8>(nearest);
   };
   return {byte(c.red), byte(c.green), byte(c.blue), byte(c.opacity)};
 }

@@ -76,18 +76,25 @@ Child::Child(const std::vector<std::string>& command, const std::map<std::string
   _exit(127);
 }
 
+/// Asked first: a killed X server would leave its lock and its socket behind.
 Child::~Child() {
   if (ended_) return;
-  kill(id_, SIGKILL);
+  kill(id_, SIGTERM);
+  if (!ends_within(5)) kill(id_, SIGKILL);
   waitpid(id_, nullptr, 0);
 }
 
-int Child::await_end(double seconds) {
+bool Child::ends_within(double seconds) const {
   const int process = static_cast<int>(syscall(SYS_pidfd_open, id_, 0));
+  if (process < 0) return false;
   pollfd ended{process, POLLIN, 0};
-  const bool in_time = process >= 0 && poll(&ended, 1, static_cast<int>(1000 * seconds)) > 0;
-  if (process >= 0) close(process);
-  if (!in_time) throw std::runtime_error("the program did not end in time");
+  const bool in_time = poll(&ended, 1, static_cast<int>(1000 * seconds)) > 0;
+  close(process);
+  return in_time;
+}
+
+int Child::await_end(double seconds) {
+  if (!ends_within(seconds)) throw std::runtime_error("the program did not end in time");
   int status = 0;
   waitpid(id_, &status, 0);
   ended_ = true;

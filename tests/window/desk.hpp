@@ -27,6 +27,8 @@ class Child {
   int await_end(double seconds);
 
  private:
+  [[nodiscard]] bool ends_within(double seconds) const;
+
   pid_t id_ = -1;
   bool ended_ = false;
 };

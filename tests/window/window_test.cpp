@@ -28,6 +28,12 @@ Pixel pixel_of(Desk& desk, double x, double y) {
           box.y + static_cast<int>((1 - y / 600) * box.height)};
 }
 
+/// Simulated time is told again and again while the scene runs, however fast this machine paints.
+void await_progress(Desk& desk) {
+  const double before = std::stod(desk.await("time "));
+  CHECK(std::stod(desk.await("time ")) > before);
+}
+
 /// Drags a slider's grab from the middle of its field to `share` of its width.
 void drag_slider(Desk& desk, const std::string& name, double share) {
   const Place place = desk.control(name);
@@ -50,7 +56,7 @@ TEST_CASE("the window opens on the first scene and runs; Esc ends it", "[window]
   Desk desk("opens");
   desk.start({stage3});
   desk.await("scene cloud");
-  desk.await("time 0.");
+  await_progress(desk);
   CHECK(desk.title().starts_with("Stage 3 - grid | cloud | t = "));
   desk.picture("running");
   desk.key("Escape");
@@ -102,7 +108,7 @@ TEST_CASE("a live parameter follows its slider without starting the scene again"
   Desk desk("slider");
   desk.start({stage3});
   desk.await("started 1");
-  desk.await("time 0.");
+  await_progress(desk);
   drag_slider(desk, "gravity", 0.9);
   const double dragged = std::stod(desk.await("parameter gravity="));
   CHECK(dragged > 500);
@@ -216,7 +222,7 @@ TEST_CASE("size, zoom, panel and overlays leave the physics as it is, bit for bi
 TEST_CASE("a minimised window goes on simulating; its close button ends the program", "[window]") {
   Desk desk("minimised", Desk::WindowManager::openbox);
   desk.start({stage1});
-  desk.await("time 0.");
+  await_progress(desk);
   desk.minimise();
   for (int frames = 0; frames < 5; ++frames) desk.await("time ");
   desk.restore();
@@ -239,7 +245,7 @@ TEST_CASE("scenes and integrators are chosen from lists, scenes by PageUp and Pa
   desk.await("menu on");
   desk.click_control("scene:stack");
   desk.await("scene stack");
-  desk.await("time 0.");
+  await_progress(desk);
   desk.picture("stack");
   desk.click_control("integrator");
   desk.await("menu on");
@@ -270,7 +276,7 @@ TEST_CASE("a run that diverges stands still on its last good state, and goes on 
   desk.click_control("diverged:velocity_verlet");
   desk.await("integrator velocity_verlet");
   desk.await("started 3");
-  desk.await("time 0.");
+  await_progress(desk);
 }
 
 TEST_CASE("a click looks at a particle, comma and period at the one before and after it", "[window]") {
@@ -297,7 +303,7 @@ TEST_CASE("a click looks at a particle, comma and period at the one before and a
 TEST_CASE("every view has its key", "[window]") {
   Desk desk("views");
   desk.start({stage3});
-  desk.await("time 0.");
+  await_progress(desk);
   const std::pair<const char*, const char*> keys[] = {
       {"c", "colour by force"}, {"l", "range locked on"}, {"g", "grid on"},    {"v", "velocities on"},
       {"e", "plots off"},       {"Tab", "panel off"},     {"h", "help on"},    {"Escape", "help off"},
@@ -344,27 +350,24 @@ TEST_CASE("with --until the run pauses at that time, and can go on", "[window]")
   desk.await("paused");
   CHECK(desk.await("step ").find("t=0.25 ") != std::string::npos);
   desk.key("space");
-  desk.await("time 0.");
+  await_progress(desk);
 }
 
 TEST_CASE("Ctrl-C in the terminal closes the window with exit code 130", "[window]") {
   Desk desk("interrupt");
   desk.start({stage1});
-  desk.await("time 0.");
+  await_progress(desk);
   desk.interrupt();
   CHECK(desk.await_exit() == 130);
 }
 
 TEST_CASE("a display that is set but answers to nobody counts as none", "[window]") {
-  const char* before = std::getenv("DISPLAY");
-  const std::string kept = before != nullptr ? before : "";
-  {
-    const Desk desk("display");
-    setenv("DISPLAY", desk.display().c_str(), 1);
-    CHECK(display_available());
-  }
-  CHECK_FALSE(display_available());  // the server is gone
   unsetenv("DISPLAY");
   CHECK_FALSE(display_available());
-  if (before != nullptr) setenv("DISPLAY", kept.c_str(), 1);
+  setenv("DISPLAY", ":9999", 1);
+  CHECK_FALSE(display_available());
+  // Last, as the connection is kept once there is one.
+  static const Desk desk("display");
+  setenv("DISPLAY", desk.display().c_str(), 1);
+  CHECK(display_available());
 }
