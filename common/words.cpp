@@ -25,6 +25,15 @@ constexpr Words english{
     .no_time_step =
         "dt = auto finds no limit to take a share of (nothing moves, nothing falls): give dt a number of "
         "seconds",
+    .vanishing_time_step =
+        "dt = auto comes out as {dt} s from the {limit} limit {formula}: a speed, a mass or a stiffness is "
+        "out "
+        "of all proportion",
+    .too_many_steps =
+        "until = {until} s is {count} steps of dt = {dt} s away, beyond the {most} that can be counted: take "
+        "a larger dt or a smaller until",
+    .other_unit = "{name} = {value} is in {given}, but this scene's {name} is in {unit}",
+    .from_place = "{place}: {sentence}",
     .threads_out_of_range = "threads = {value} is out of range: threads must be at least 1",
     .any_finite = "any finite number",
     .range_above = "> {low}",
@@ -41,10 +50,10 @@ constexpr Words english{
         "; {integrator} is not stable here at dt = {dt} s: take a smaller dt or another integrator",
     .beyond_limit = "dt = {dt} s is {ratio} times the {limit} limit {formula}: expect the run to diverge",
     .warn_coincident =
-        "{count} times two particles were at one point; they were pushed apart in a direction "
+        "two particles were at one point (times: {count}); they were pushed apart in a direction "
         "taken from their ids",
     .warn_folded =
-        "{count} times a particle met the walls more often in one step than is followed; its "
+        "a particle met the walls more often in one step than is followed (times: {count}); its "
         "reflections were counted instead",
     .unknown_option = "there is no option {option}, --help lists them all{hint}",
     .option_is_parameter = "there is no option {option}; for the parameter, write --set {name}=VALUE",

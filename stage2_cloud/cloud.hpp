@@ -54,6 +54,7 @@ Setup cloud(Parameters& p) {
   const Index n = p.integer(particle_count);
   auto setup = empty_box<Search>(p);
   const Walls walls = *setup.model->walls();
+  require_inside(p, walls, setup.radius);
   const double left = std::max(p.number(start_x) + setup.radius, walls.left);
   const double bottom = std::max(p.number(start_y) + setup.radius, walls.bottom);
   const Vectors places =

@@ -77,7 +77,7 @@ double Walls::clamp(Vector& r, Vector& v, const Vector& a, double dt, long long&
   return lost;
 }
 
-void require_inside(Parameters& p, const Walls& walls) {
+void require_inside(Parameters& p, const Walls& walls, double margin) {
   const auto check = [&](const Parameter& parameter, double low, double high) {
     const double value = p.number(parameter);
     if (value >= low && value <= high) return;
@@ -85,8 +85,8 @@ void require_inside(Parameters& p, const Walls& walls) {
                        fmt::arg("value", to_text(value)), fmt::arg("low", to_text(low)),
                        fmt::arg("high", to_text(high)), fmt::arg("unit", p.length_unit())));
   };
-  check(start_x, walls.left, walls.right);
-  check(start_y, walls.bottom, walls.top);
+  check(start_x, walls.left - margin, walls.right - margin);
+  check(start_y, walls.bottom - margin, walls.top - margin);
 }
 
 Folded fold(double start, double v, double dt, double low, double high, double e) {

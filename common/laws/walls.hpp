@@ -24,8 +24,8 @@ struct Walls {
   double clamp(Vector& r, Vector& v, const Vector& a, double dt, long long& folded) const;
 };
 
-/// Throws BadInput when (x0, y0) is outside the walls.
-void require_inside(Parameters& p, const Walls& walls);
+/// Throws BadInput when (x0, y0), which is `margin` below and left of a disc's centre, is outside the walls.
+void require_inside(Parameters& p, const Walls& walls, double margin = 0);
 
 /// One coordinate of a particle that flew freely for the time `dt` and was reflected at `low` and `high` on
 /// its way.

@@ -27,6 +27,10 @@ double Particles::least_mass() const {
   return masses_ == none || size() == 0 ? uniform_mass : extra[masses_].values.minCoeff();
 }
 
+double Particles::greatest_mass() const {
+  return masses == none || size() == 0 ? uniform_mass : extra[masses].values.maxCoeff();
+}
+
 std::size_t Particles::bytes() const {
   const auto per_particle = 3 * 2 + extra.size();
   return static_cast<std::size_t>(size()) * per_particle * sizeof(double);

@@ -44,6 +44,8 @@ struct Particles {
 
   /// The smallest mass: what bounds the time step.
   [[nodiscard]] double least_mass() const;
+  /// The largest mass: what it moves with may pass to the lightest.
+  [[nodiscard]] double greatest_mass() const;
 
   /// Adds a column of zeros; its name must be new.
   Column& add_column(std::string name, std::string unit);

@@ -102,14 +102,15 @@ void read_parameters(const Reader& reader, const Json& object, ConfigFile& confi
   reader.require_object(object, "parameters");
   for (const auto& [name, value] : object.items()) {
     if (!value.is_object()) {
-      config.parameters[name] = reader.text(value, name);
+      config.parameters[name] = {reader.text(value, name), Origin::file, reader.file.string()};
       continue;
     }
     for (const auto& [key, unused] : value.items())
       if (std::find(known.begin(), known.end(), key) == known.end()) reader.refuse_key(key, known);
     if (!value.contains("value")) reader.refuse(words().config_no_value, fmt::arg("key", name));
     if (value.contains("origin") && value["origin"] == origin_of_results) continue;
-    config.parameters[name] = reader.text(value["value"], name);
+    config.parameters[name] = {reader.text(value["value"], name), Origin::file, reader.file.string(),
+                               value.contains("unit") ? reader.text(value["unit"], name) : ""};
   }
 }
 
@@ -127,8 +128,9 @@ void read_stop(const Reader& reader, const Json& run, ConfigFile& config) {
 
 void read_seed(const Reader& reader, const Json& seed, ConfigFile& config) {
   const auto text = reader.text(seed, "seed");
-  const auto [entry, is_new] = config.parameters.try_emplace("seed", text);
-  if (!is_new && entry->second != text) reader.refuse(words().config_key_twice, fmt::arg("key", "seed"));
+  const auto [entry, is_new] =
+      config.parameters.try_emplace("seed", Override{text, Origin::file, reader.file.string()});
+  if (!is_new && entry->second.text != text) reader.refuse(words().config_key_twice, fmt::arg("key", "seed"));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "common/simulation/parameters.hpp"
+
 namespace clapotis {
 
 /// What a file of --config gives: a hand-written one, or the run.json of an earlier run, which then is the
@@ -11,7 +13,7 @@ namespace clapotis {
 struct ConfigFile {
   std::map<std::string, std::string, std::less<>>
       settings;  ///< stage, scene, integrator, threads, until, ...
-  std::map<std::string, std::string, std::less<>> parameters;
+  Overrides parameters;
 };
 
 /// Throws FileError when it cannot be read, and BadInput, naming the file and the line or key, when it is not

@@ -11,6 +11,7 @@
 #include "common/runner/history.hpp"
 #include "common/runner/interrupt.hpp"
 #include "common/runner/manifest.hpp"
+#include "common/runner/numbers.hpp"
 #include "common/runner/particle_table.hpp"
 #include "common/runner/progress.hpp"
 #include "common/runner/run_folder.hpp"
@@ -28,6 +29,16 @@ constexpr double shortest_stretch = 0.02;  // between two looks at the clock [s]
 constexpr long longest_stretch = 1 << 20;  // steps
 constexpr double never = std::numeric_limits<double>::infinity();
 
+/// Refuses a time that no loop would ever arrive at, nor t = k dt resolve.
+double reachable(double until, double dt) {
+  if (until / dt > step_range.high)
+    throw BadInput(say(words().too_many_steps, fmt::arg("until", to_text(until)),
+                       fmt::arg("count", fmt::format("{:.3g}", until / dt)),
+                       fmt::arg("dt", fmt::format("{:.4g}", dt)),
+                       fmt::arg("most", to_text(step_range.high))));
+  return until;
+}
+
 /// One headless run: the loop, and what it leaves.
 class HeadlessRun {
  public:
@@ -36,7 +47,9 @@ class HeadlessRun {
         options_(options),
         simulation_(stage.scene(options.scene.value), options.parameters, options.integrator.value,
                     options.threads.value),
-        until_(options.until ? options.until->value : never),
+        until_(!options.until  ? never
+               : options.steps ? options.until->value
+                               : reachable(options.until->value, simulation_.dt())),
         most_steps_(options.steps ? options.steps->value : std::numeric_limits<long>::max()),
         folder_(options.out ? RunFolder(*options.out, options.force, files_of_run)
                             : RunFolder::by_date(stage.name + "-" + options.scene.value)),

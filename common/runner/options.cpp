@@ -59,9 +59,10 @@ void apply_file(Options& options, const Stage& stage, const std::string& file) {
       other != config.settings.end() && other->second != stage.name)
     refuse(words().config_other_stage, fmt::arg("file", file), fmt::arg("other", other->second),
            fmt::arg("stage", stage.name));
-  for (const auto& [name, text] : config.settings) apply(options, stage, name, text, Origin::file);
-  for (const auto& [name, text] : config.parameters)
-    options.parameters.insert_or_assign(name, Override{text, Origin::file});
+  from_place(file, [&] {
+    for (const auto& [name, text] : config.settings) apply(options, stage, name, text, Origin::file);
+  });
+  for (const auto& [name, given] : config.parameters) options.parameters.insert_or_assign(name, given);
 }
 
 void apply_set(Options& options, const std::vector<std::string>& assignments) {
@@ -102,9 +103,11 @@ void apply_environment(Options& options, const Stage& stage) {
   const auto names = parameter_names(stage, options, {});
   for (const auto& [variable, name, value] : variables) {
     if (contains(settings, name)) {
-      apply(options, stage, name, value, Origin::environment);
+      from_place(variable, [&, &name = name, &value = value] {
+        apply(options, stage, name, value, Origin::environment);
+      });
     } else if (contains(names, name)) {
-      options.parameters.insert_or_assign(name, Override{value, Origin::environment});
+      options.parameters.insert_or_assign(name, Override{value, Origin::environment, variable});
     } else {
       options.warnings.push_back(say(words().environment_ignored, fmt::arg("variable", variable),
                                      fmt::arg("scene", options.scene.value),

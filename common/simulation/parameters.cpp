@@ -31,6 +31,15 @@ std::string joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
+void from_place(std::string_view place, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const BadInput& error) {
+    if (place.empty()) throw;
+    throw BadInput(say(words().from_place, fmt::arg("place", place), fmt::arg("sentence", error.what())));
+  }
+}
+
 std::string_view name_of(Origin origin) {
   constexpr std::string_view names[] = {"default", "scene", "file", "environment", "flag", "window"};
   return names[static_cast<std::size_t>(origin)];
@@ -130,9 +139,15 @@ Parameter& Parameters::note(Parameter p) {
     p.origin = Origin::scene;
   }
   if (const auto given = overrides_.find(p.name); given != overrides_.end()) {
+    const auto& [text, origin, place, unit] = given->second;
     if (p.derived) throw BadInput(say(words().derived_parameter, fmt::arg("name", p.name)));
-    p.value = p.parse(given->second.text);
-    p.origin = given->second.origin;
+    from_place(place, [&, &text = text, &unit = unit] {
+      if (!unit.empty() && unit != p.unit)
+        throw BadInput(say(words().other_unit, fmt::arg("name", p.name), fmt::arg("value", text),
+                           fmt::arg("given", unit), fmt::arg("unit", p.unit)));
+      p.value = p.parse(text);
+    });
+    p.origin = origin;
   }
   table_.push_back(std::move(p));
   return table_.back();
@@ -163,7 +178,7 @@ void Parameters::set(std::string_view name, std::string_view text, Origin origin
 
 void Parameters::reject_unknown() const {
   for (const auto& [name, given] : overrides_)
-    if (find(name) == nullptr) refuse_unknown(name);
+    if (find(name) == nullptr) from_place(given.place, [&, &name = name] { refuse_unknown(name); });
 }
 
 void Parameters::refuse_unknown(std::string_view name) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -53,6 +54,8 @@ struct Parameter {
 struct Override {
   std::string text;
   Origin origin = Origin::flag;
+  std::string place = {};  ///< the file or variable it stands in, for a sentence
+  std::string unit = {};   ///< the unit it was written with, if any
 };
 using Overrides = std::map<std::string, Override, std::less<>>;
 
@@ -107,6 +110,9 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
 
 /// "there is no KIND NAME; there is: ...", with the nearest of the known names.
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known);
+
+/// Calls `read`; a BadInput of it then names the file or variable in which the value stands.
+void from_place(std::string_view place, const std::function<void()>& read);
 
 /// The shortest text that reads back as the same number; always with a dot.
 std::string to_text(double value);

@@ -73,13 +73,14 @@ void Simulation::choose_step() {
   const double c = falling_sound_speed(parameters_);
   limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
   const double dt = choose_dt(parameters_.number(step_parameter), limits);
-  // all that the springs hold may become the speed of the lightest particle
-  const double v = max_speed(particles());
+  // what the springs hold, and what a heavy particle moves with, may become the speed of the lightest
+  const double least = particles().least_mass(), heavier = std::sqrt(particles().greatest_mass() / least);
+  const double v = heavier * max_speed(particles());
   const double elastic = setup_.model->stored_energy(particles()).elastic;
   dt_ = dt;
   limits_ = std::move(limits);
   sound_speed_ = c;
-  fastest_ = std::max({fastest_, c, 10 * std::sqrt(v * v + 2 * elastic / particles().least_mass())});
+  fastest_ = std::max({fastest_, heavier * c, 10 * std::sqrt(v * v + 2 * elastic / least)});
 }
 
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }

@@ -42,7 +42,10 @@ double choose_dt(double wanted, const std::vector<StepLimit>& limits) {
   if (!std::isnan(wanted)) return wanted;
   const auto& least = binding(limits);
   const double dt = least.share * least.limit;
-  if (!std::isfinite(dt) || dt <= 0) throw BadInput(std::string(words().no_time_step));
+  if (std::isinf(dt)) throw BadInput(std::string(words().no_time_step));
+  if (!(dt > 0))
+    throw BadInput(say(words().vanishing_time_step, fmt::arg("limit", least.name),
+                       fmt::arg("formula", least.formula), fmt::arg("dt", to_text(dt))));
   return dt;
 }
 

@@ -46,7 +46,9 @@ void Session::choose_scene(std::size_t scene) {
   const auto table = defaults_of(stage_.scenes[scene]);
   Overrides known;
   for (const auto& [name, value] : given_) {
-    if (table->find(name) != nullptr) known.emplace(name, value);
+    const auto* parameter = table->find(name);
+    if (parameter != nullptr && (value.unit.empty() || value.unit == parameter->unit))
+      known.emplace(name, value);
   }
   start(scene, known, simulation_->integrator());
 }

@@ -82,6 +82,9 @@ TEST_CASE("a value that cannot be used is refused before anything runs", "[runne
       {set("dt=0"), 2, "dt must be > 0 s, or auto"},
       {set("dt=-1e-3"), 2, "dt must be > 0 s, or auto"},
       {set("restitution=1.5"), 2, "between 0 and 1"},
+      {set("vx0=1e300"), 2, "dt = auto comes out as 0 s from the acoustic limit h/c"},
+      {set("dt=1e-300"), 2, "beyond the 1e+15 that can be counted"},
+      {{"--headless", "--until", "1e300"}, 2, "take a larger dt or a smaller until"},
       {{"--headless", "--until", "nan"}, 2, "not a finite number"},
       {{"--headless", "--until", "-1"}, 2, "until must be >= 0 s"},
       {{"--headless", "--until", "1,5"}, 2, "with a dot"},
@@ -132,6 +135,13 @@ TEST_CASE("a file that cannot be used is refused with its name, the line or the 
   check(stage1, {with(R"({"parameters": 3})"), 2, "parameters cannot be 3"}, scratch);
   check(stage1, {with(R"({"until": 1, "until": 2})"), 2, "until is given twice"}, scratch);
   check(stage1, {with(R"({"until": true})"), 2, "until cannot be true"}, scratch);
+  check(stage1, {with(R"({"parameters": {"gravity": -3}})"), 2, "lab.json: gravity = -3 px/s^2 is out of"},
+        scratch);
+  check(stage1, {with(R"({"threads": 0})"), 2, "lab.json: threads = 0 is out of range"}, scratch);
+  check(stage1,
+        {with(R"({"scene": "drop", "parameters": {"gravity": {"value": 500, "unit": "px/s^2"}}})"), 2,
+         "lab.json: gravity = 500 is in px/s^2, but this scene's gravity is in m/s^2"},
+        scratch);
   check(stage1, {with(R"({"stage": "stage2_cloud"})"), 2, "is of stage2_cloud"}, scratch);
   check(stage1, {with(R"({"scene": "dorp"})"), 2, "did you mean drop?"}, scratch);
   check(stage1, {with(R"({"steps": 1.5})"), 2, "not a whole number"}, scratch);
@@ -218,6 +228,10 @@ TEST_CASE("the environment may speak of other scenes; that is said, and a wrong 
   CHECK_THAT(ended.err,
              ContainsSubstring("CLAPOTIS_GRAVTY is ignored") && ContainsSubstring("did you mean gravity?"));
   check(stage1, {{"--headless"}, 2, "with a dot"}, scratch, {.environment = {{"CLAPOTIS_GRAVITY", "9,81"}}});
+  check(stage1, {{"--headless"}, 2, "CLAPOTIS_GRAVITY: gravity = -1"}, scratch,
+        {.environment = {{"CLAPOTIS_GRAVITY", "-1"}}});
+  check(stage1, {{"--headless"}, 2, "CLAPOTIS_THREADS: threads = x"}, scratch,
+        {.environment = {{"CLAPOTIS_THREADS", "x"}}});
 }
 
 TEST_CASE("what --print-config prints as JSON is a file that --config takes", "[runner]") {

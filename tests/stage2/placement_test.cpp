@@ -66,7 +66,10 @@ TEST_CASE("discs that do not fit are refused with the number that does, before a
   CHECK_THROWS_WITH(Simulation(scene, typed({{"particles", 1e8}})),  // their columns would be 5 GB
                     "particles = 100000000 discs of radius 10 px do not fit: at most 869 do");
   CHECK_THROWS_AS(Simulation(scene, typed({{"radius", 301.0}})), BadInput);
-  CHECK_THROWS_AS(Simulation(scene, typed({{"x0", 795.0}})), BadInput);
+  CHECK_THROWS_WITH(Simulation(scene, typed({{"x0", 795.0}})),
+                    "x0 = 795 px is outside the walls: x0 must be between 0 and 780 px");
+  CHECK_THROWS_WITH(Simulation(scene, typed({{"y0", -1.0}})),
+                    "y0 = -1 px is outside the walls: y0 must be between 0 and 580 px");
 }
 
 TEST_CASE("discs of any smallness are placed", "[stage2]") {
