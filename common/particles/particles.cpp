@@ -28,7 +28,7 @@ double Particles::least_mass() const {
 }
 
 double Particles::greatest_mass() const {
-  return masses == none || size() == 0 ? uniform_mass : extra[masses].values.maxCoeff();
+  return masses_ == none || size() == 0 ? uniform_mass : extra[masses_].values.maxCoeff();
 }
 
 std::size_t Particles::bytes() const {
