@@ -10,8 +10,8 @@ namespace clapotis {
 class ExplicitEuler final : public Integrator {
  public:
   void step(System& s, double dt) override {
-    s.position += dt * s.velocity;
-    s.velocity += dt * s.acceleration;
+    s.assign(s.position, s.position + dt * s.velocity);
+    s.assign(s.velocity, s.velocity + dt * s.acceleration);
     s.dissipated_energy += dt * s.dissipation;
   }
 };

@@ -9,8 +9,8 @@ namespace clapotis {
 class SymplecticEuler final : public Integrator {
  public:
   void step(System& s, double dt) override {
-    s.velocity += dt * s.acceleration;
-    s.position += dt * s.velocity;
+    s.assign(s.velocity, s.velocity + dt * s.acceleration);
+    s.assign(s.position, s.position + dt * s.velocity);
     s.dissipated_energy += dt * s.dissipation;
   }
 };

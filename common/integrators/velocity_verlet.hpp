@@ -10,12 +10,12 @@ namespace clapotis {
 class VelocityVerlet final : public Integrator {
  public:
   void step(System& s, double dt) override {
-    half_ = s.velocity + dt / 2 * s.acceleration;
-    s.position += dt * half_;
-    s.velocity = half_ + dt / 2 * s.acceleration;
+    s.assign(half_, s.velocity + dt / 2 * s.acceleration);
+    s.assign(s.position, s.position + dt * half_);
+    s.assign(s.velocity, half_ + dt / 2 * s.acceleration);
     s.dissipated_energy += dt / 2 * s.dissipation;
     s.evaluate(s.time + dt);
-    s.velocity = half_ + dt / 2 * s.acceleration;
+    s.assign(s.velocity, half_ + dt / 2 * s.acceleration);
     s.dissipated_energy += dt / 2 * s.dissipation;
   }
   [[nodiscard]] bool leaves_acceleration() const override { return true; }

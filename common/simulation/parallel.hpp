@@ -22,6 +22,17 @@ void for_each(Index n, int threads, const Act& act) {
 inline constexpr Index block_size = 4096;
 inline std::size_t blocks_of(Index n) { return static_cast<std::size_t>((n + block_size - 1) / block_size); }
 
+/// Calls act(first, count) for blocks of rows that together are 0..n-1, shared between threads.
+template <class Act>
+void for_blocks(Index n, int threads, const Act& act) {
+  if (threads == 1 || n <= block_size) {
+    act(Index{0}, n);
+    return;
+  }
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (Index first = 0; first < n; first += block_size) act(first, std::min(block_size, n - first));
+}
+
 /// Sum of term(i, block) over i = 0..n-1. Blocks of fixed size are summed by themselves and then in their
 /// order, so that the result is the same bit for bit with any number of threads.
 template <class Term>

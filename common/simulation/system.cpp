@@ -4,6 +4,8 @@
 
 namespace clapotis {
 
+int System::threads() const { return model.threads; }
+
 void System::evaluate(double t) {
   model.evaluate(*this, t);
   if (bear) bear(*this);

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "common/particles/particles.hpp"
+#include "common/simulation/parallel.hpp"
 
 namespace clapotis {
 
@@ -29,6 +30,17 @@ struct System {
 
   System(const System&) = delete;
   System& operator=(const System&) = delete;
+
+  /// target = expression, a block of rows at a time, shared between threads: the same bits with any number of
+  /// them.
+  template <class Expression>
+  void assign(Vectors& target, const Eigen::ArrayBase<Expression>& expression) const {
+    target.resize(expression.rows(), 2);
+    for_blocks(expression.rows(), threads(), [&](Index first, Index count) {
+      target.middleRows(first, count) = expression.derived().middleRows(first, count);
+    });
+  }
+  [[nodiscard]] int threads() const;
 
   /// Fills acceleration and dissipation from positions and velocities, at time t.
   void evaluate(double t);
