@@ -1,5 +1,6 @@
 #include "common/runner/compare.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "common/runner/atomic_file.hpp"
@@ -9,6 +10,7 @@
 #include "common/runner/describe.hpp"
 #include "common/runner/exit_code.hpp"
 #include "common/runner/interrupt.hpp"
+#include "common/runner/numbers.hpp"
 #include "common/runner/progress.hpp"
 #include "common/runner/run_folder.hpp"
 #include "common/runner/save_sheet.hpp"
@@ -113,7 +115,8 @@ int run(std::span<const Stage> stages, int argc, const char* const* argv) {
   }
   const Interrupt interrupt;
   Side left = build(*options.left), right = build(*options.right);
-  const double until = end_of(options, left);
+  const double until =
+      reachable(end_of(options, left), std::min(left.simulation->dt(), right.simulation->dt()));
   Comparison comparison(left, right, until, options.every.value_or(0));
   const auto folder = options.out ? RunFolder(*options.out, options.force, files_of_comparison)
                                   : RunFolder::by_date("compare");

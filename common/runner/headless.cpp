@@ -29,16 +29,6 @@ constexpr double shortest_stretch = 0.02;  // between two looks at the clock [s]
 constexpr long longest_stretch = 1 << 20;  // steps
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Refuses a time that no loop would ever arrive at, nor t = k dt resolve.
-double reachable(double until, double dt) {
-  if (until / dt > step_range.high)
-    throw BadInput(say(words().too_many_steps, fmt::arg("until", to_text(until)),
-                       fmt::arg("count", fmt::format("{:.3g}", until / dt)),
-                       fmt::arg("dt", fmt::format("{:.4g}", dt)),
-                       fmt::arg("most", to_text(step_range.high))));
-  return until;
-}
-
 /// One headless run: the loop, and what it leaves.
 class HeadlessRun {
  public:

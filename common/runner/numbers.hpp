@@ -19,4 +19,7 @@ inline long option_count(std::string_view name, std::string_view text, Range ran
 
 inline constexpr Range thread_range{.low = 1, .high = 1024}, step_range{.low = 0, .high = 1e15};
 
+/// `until`, or BadInput for a time that no loop in steps of dt would ever arrive at, nor t = k dt resolve.
+double reachable(double until, double dt);
+
 }  // namespace clapotis
