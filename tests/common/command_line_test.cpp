@@ -273,6 +273,7 @@ TEST_CASE("a comparison refuses what cannot be compared", "[runner]") {
       {{"stage1/drop", "stage1/drop", "--evry", "1"}, 2, "did you mean --every?"},
       {{"stage1/drop", "stage1/drop", "--until", "1", "--steps", "2"}, 2, "one of them"},
       {{"stage1/drop", "stage1/drop", "--until", "0"}, 2, "until must be > 0 s"},
+      {{"stage1/drop", "stage1/drop:dt=1e-300", "--until", "1"}, 2, "beyond the 1e+15 that can be counted"},
       {{"stage1/drop", "stage1/drop", "--until", "0.1", "--out", "/proc/x"}, 4, "cannot write /proc/x"},
   };
   for (const auto& c : cases) check(compare, c, scratch);
