@@ -221,7 +221,6 @@ constexpr Words english{
             .picture_saved = "Saved {file}",
             .help_title = "Keys and mouse",
             .help_close = "Esc closes this",
-            .key_space = "Space",
             .key_click = "Click",
             .key_wheel = "Wheel",
             .key_middle_drag = "Middle drag",

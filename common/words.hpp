@@ -58,7 +58,7 @@ struct Words {
     // notices
     std::string_view picture_saved;
     // the help
-    std::string_view help_title, help_close, key_space, key_click, key_wheel, key_middle_drag,
+    std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag,
         key_control_click, does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock,
         does_grid, does_neighbour, does_vectors, does_plots, does_panel, does_view, does_picture, does_help,
         does_quit, does_select, does_zoom, does_pan, does_type;
