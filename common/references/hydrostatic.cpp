@@ -1,0 +1,44 @@
+#include "common/references/hydrostatic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/references/require.hpp"
+
+namespace clapotis {
+
+namespace {
+
+void check(const HydrostaticColumn& w, double depth) {
+  const auto demand = [](bool holds, const char* name, double value, const char* range) {
+    require(holds, "HydrostaticColumn", name, value, range);
+  };
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  demand(positive(w.surface_density), "surface_density [kg/m^3]", w.surface_density, "finite and > 0");
+  demand(positive(w.sound_speed), "sound_speed [m/s]", w.sound_speed, "finite and > 0");
+  demand(w.gamma >= 1 && std::isfinite(w.gamma), "gamma", w.gamma, "finite and >= 1");
+  demand(w.gravity >= 0 && std::isfinite(w.gravity), "gravity [m/s^2]", w.gravity, "finite and >= 0");
+  demand(std::isfinite(depth), "depth [m]", depth, "finite");
+}
+
+/// ln(rho/rho0). From it both functions follow by exp, which is exact to round-off where a power would not
+/// be.
+double log_compression(const HydrostaticColumn& w, double depth) {
+  check(w, depth);
+  const double zeta = w.gravity * std::max(depth, 0.0) / (w.sound_speed * w.sound_speed);
+  const double excess = w.gamma - 1;
+  return excess == 0 ? zeta : std::log1p(excess * zeta) / excess;
+}
+
+}  // namespace
+
+double HydrostaticColumn::pressure(double depth) const {
+  const double bulk_modulus = surface_density * sound_speed * sound_speed;
+  return bulk_modulus / gamma * std::expm1(gamma * log_compression(*this, depth));
+}
+
+double HydrostaticColumn::density(double depth) const {
+  return surface_density * std::exp(log_compression(*this, depth));
+}
+
+}  // namespace clapotis
