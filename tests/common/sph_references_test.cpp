@@ -1,7 +1,11 @@
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
+#include "common/references/elliptical_drop.hpp"
 #include "common/references/hydrostatic.hpp"
 #include "tests/catch.hpp"
 
@@ -12,9 +16,44 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double round_off = std::numeric_limits<double>::epsilon();
+constexpr double pi = std::numbers::pi;
 
 /// A tank one metre deep whose water carries sound at the speed that SPH gives it, c^2 = 200 g H.
 HydrostaticColumn tank_of_sph(double gamma) { return {1000, std::sqrt(200 * 9.81), gamma, 9.81}; }
+
+EllipticalDrop unit_drop() { return {1, 1, 1}; }
+EllipticalDrop water_drop() { return {0.02, 50, 1000}; }
+
+/// Energy of a uniform strain A in an ellipse: rho/2 A^2 times the integral of x^2 + y^2, pi a b (a^2 +
+/// b^2)/4.
+double energy_of_strain(double density, double strain_rate, double a, double b) {
+  return density / 8 * pi * a * b * (a * a + b * b) * strain_rate * strain_rate;
+}
+
+struct Strained {
+  double strain_rate, semi_axis_x;
+  friend Strained operator+(const Strained& p, const Strained& q) {
+    return {p.strain_rate + q.strain_rate, p.semi_axis_x + q.semi_axis_x};
+  }
+  friend Strained operator*(double s, const Strained& p) { return {s * p.strain_rate, s * p.semi_axis_x}; }
+};
+
+/// Monaghan's equations of the unit drop, as printed, and their solution by Runge-Kutta 4.
+Strained monaghan_rate(const Strained& s) {
+  const double fourth = std::pow(s.semi_axis_x, 4);
+  return {s.strain_rate * s.strain_rate * (fourth - 1) / (fourth + 1), -s.semi_axis_x * s.strain_rate};
+}
+
+Strained monaghan_drop(double t, int steps) {
+  Strained s{1, 1};
+  const double dt = t / steps;
+  for (int n = 0; n < steps; ++n) {
+    const Strained k1 = monaghan_rate(s), k2 = monaghan_rate(s + dt / 2 * k1);
+    const Strained k3 = monaghan_rate(s + dt / 2 * k2), k4 = monaghan_rate(s + dt * k3);
+    s = s + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return s;
+}
 
 }  // namespace
 
@@ -71,4 +110,119 @@ TEST_CASE("still water out of the physical range is refused", "[references]") {
   CHECK_THROWS_AS(tank_of_sph(7).pressure(not_a_number), std::invalid_argument);
   CHECK_THROWS_WITH(tank_of_sph(0.5).pressure(1),
                     "HydrostaticColumn: gamma is 0.5, it must be finite and >= 1");
+}
+
+TEST_CASE(
+    "a free drop stretches, and its pressure falls, as Monaghan's equations integrated with RK4 have it",
+    "[references]") {
+  // t A0, A/A0, a/R, b/R, p0/(rho A0^2 R^2); eight printed decimals.
+  const std::vector<std::array<double, 5>> table{
+      {0.2, 0.96270219, 0.82082616, 1.21828476, 0.42947496},
+      {0.4, 0.87510122, 0.68269926, 1.46477382, 0.29322647},
+      {0.6, 0.77616054, 0.57880935, 1.72768459, 0.18145805},
+      {0.76, 0.70310892, 0.51426647, 1.94451719, 0.12219697},
+      {1, 0.61021577, 0.43946077, 2.27551598, 0.06932721},
+      {2, 0.38335826, 0.27181408, 3.67898532, 0.01079914},
+  };
+  const EllipticalDrop drop = water_drop();
+  for (const auto& [time, strain_rate, a, b, pressure] : table) {
+    const EllipticalDrop::State state = drop.at(time / drop.strain_rate);
+    CAPTURE(time);
+    CHECK(std::abs(state.strain_rate / drop.strain_rate - strain_rate) <= 5.01e-9);
+    CHECK(std::abs(state.semi_axis_x / drop.radius - a) <= 5.01e-9);
+    CHECK(std::abs(state.semi_axis_y / drop.radius - b) <= 5.01e-9);
+    CHECK(std::abs(state.centre_pressure / 1000 - pressure) <= 5.01e-9);  // rho A0^2 R^2 = 1000 Pa
+  }
+}
+
+TEST_CASE("a free drop follows its elliptic integral to the last digits, at early and at late times",
+          "[references]") {
+  // t A0, A/A0, b/R, computed with 30 digits.
+  const auto passes = [](double time, double strain_rate, double stretch) {
+    const EllipticalDrop::State state = unit_drop().at(time);
+    CAPTURE(time);
+    CHECK(state.strain_rate == Approx(strain_rate).epsilon(8 * round_off));
+    CHECK(state.semi_axis_y == Approx(stretch).epsilon(8 * round_off));
+    CHECK(state.semi_axis_x == Approx(1 / stretch).epsilon(8 * round_off));
+    CHECK(state.centre_pressure == Approx(std::pow(strain_rate, 4) / 2).epsilon(32 * round_off));
+  };
+  passes(0.1, 0.990179477955339552, 1.10480657895451461);
+  passes(0.76, 0.703108922271935903, 1.94451719071561569);
+  passes(2, 0.383358262717715218, 3.67898532373853709);
+  passes(10, 0.0943466533472755819, 14.9893981959933115);
+  passes(1000, 0.000999401288552602998, 1415.06077545794785);
+  // Late, b grows as sqrt(2) A0 t: all energy has become motion along y, v = A0 sqrt(2) R at the tip.
+  CHECK(unit_drop().at(1e100).semi_axis_y == Approx(std::numbers::sqrt2 * 1e100).epsilon(1e-13));
+}
+
+TEST_CASE("a free drop obeys Monaghan's equations", "[references]") {
+  const double time = GENERATE(0.05, 0.3, 0.76, 1.5, 2.0);
+  const Strained integrated = monaghan_drop(time, 4000);  // (dt = 5e-4)^4 = 6e-14, and round-off 4,000 times
+  const EllipticalDrop::State exact = unit_drop().at(time);
+  CHECK(std::abs(exact.strain_rate - integrated.strain_rate) < 1e-12);
+  CHECK(std::abs(exact.semi_axis_x - integrated.semi_axis_x) < 1e-12);
+  CHECK(exact.semi_axis_x * exact.semi_axis_y == Approx(1).epsilon(4 * round_off));
+}
+
+TEST_CASE("every particle of a free drop is accelerated by the pressure, which ends at the rim",
+          "[references]") {
+  const EllipticalDrop drop = water_drop();
+  const double time = GENERATE(0.0, 0.1, 0.5, 1.0, 2.0) / drop.strain_rate;
+  const EllipticalDrop::State now = drop.at(time);
+  const double a = now.semi_axis_x, b = now.semi_axis_y;
+  // Central differences: 1e-4 of the time scale leaves 1e-8, and round-off 1e-12.
+  const double dt = 1e-4 / drop.strain_rate;
+  const EllipticalDrop::State before = drop.at(time - dt), after = drop.at(time + dt);
+  const double growth = (after.semi_axis_y - before.semi_axis_y) / (2 * dt);
+  const double strain_growth = (after.strain_rate - before.strain_rate) / (2 * dt);
+  CHECK(growth == Approx(now.strain_rate * b).epsilon(1e-7));
+  const double x = 0.4 * a, y = -0.3 * b, dx = 1e-3 * a, dy = 1e-3 * b;  // p is quadratic: no error from dx
+  const double slope_x = (now.pressure(x + dx, y) - now.pressure(x - dx, y)) / (2 * dx);
+  const double slope_y = (now.pressure(x, y + dy) - now.pressure(x, y - dy)) / (2 * dy);
+  // u = -A x, v = A y: Du/Dt = (A^2 - A') x, Dv/Dt = (A^2 + A') y, over the scale A0^2 R.
+  const double square = now.strain_rate * now.strain_rate;
+  const double scale = drop.strain_rate * drop.strain_rate * drop.radius;
+  CHECK(std::abs((square - strain_growth) * x + slope_x / drop.density) < 1e-7 * scale);
+  CHECK(std::abs((square + strain_growth) * y + slope_y / drop.density) < 1e-7 * scale);
+  CHECK(std::abs(now.pressure(0.6 * a, 0.8 * b)) < 4 * round_off * now.centre_pressure);
+  CHECK(now.pressure(1.1 * a, 0) == 0);
+  CHECK(now.pressure(0, 0) == now.centre_pressure);
+}
+
+TEST_CASE("a free drop keeps the energy of its motion, whatever its shape", "[references]") {
+  const EllipticalDrop drop = water_drop();
+  CHECK(drop.kinetic_energy() == Approx(pi / 4 * 1000 * std::pow(0.02, 4) * 2500).epsilon(8 * round_off));
+  const double dt = 1e-4 / drop.strain_rate;
+  for (double time = 0; time < 5 / drop.strain_rate; time += 0.1 / drop.strain_rate) {
+    const EllipticalDrop::State now = drop.at(time);
+    CAPTURE(time);
+    CHECK(energy_of_strain(drop.density, now.strain_rate, now.semi_axis_x, now.semi_axis_y) ==
+          Approx(drop.kinetic_energy()).epsilon(16 * round_off));
+    // The strain as the shape tells it, d ln b/dt, by central differences: (A0 dt)^2 = 1e-8.
+    const double seen = std::log(drop.at(time + dt).semi_axis_y / drop.at(time - dt).semi_axis_y) / (2 * dt);
+    CHECK(energy_of_strain(drop.density, seen, now.semi_axis_x, now.semi_axis_y) ==
+          Approx(drop.kinetic_energy()).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("a free drop is a disc at the start, and was as long along x as it will be along y",
+          "[references]") {
+  const EllipticalDrop drop = water_drop();
+  const EllipticalDrop::State start = drop.at(0);
+  CHECK(start.semi_axis_x == drop.radius);
+  CHECK(start.semi_axis_y == drop.radius);
+  CHECK(start.strain_rate == Approx(50).epsilon(2 * round_off));
+  // p = rho A0^2 (R^2 - r^2)/2
+  CHECK(start.pressure(0.01, 0.005) == Approx(1000 * 2500 * (4e-4 - 1.25e-4) / 2).epsilon(8 * round_off));
+  CHECK(drop.at(-0.03).semi_axis_x == Approx(drop.at(0.03).semi_axis_y).epsilon(4 * round_off));
+  CHECK(drop.at(-0.03).strain_rate == Approx(drop.at(0.03).strain_rate).epsilon(4 * round_off));
+}
+
+TEST_CASE("a drop out of the physical range is refused", "[references]") {
+  CHECK_THROWS_AS((EllipticalDrop{0, 1, 1}.at(0)), std::invalid_argument);
+  CHECK_THROWS_AS((EllipticalDrop{1, not_a_number, 1}.at(0)), std::invalid_argument);
+  CHECK_THROWS_AS((EllipticalDrop{1, 1, infinity}.kinetic_energy()), std::invalid_argument);
+  CHECK_THROWS_AS(unit_drop().at(infinity), std::invalid_argument);
+  CHECK_THROWS_WITH((EllipticalDrop{1, -2, 1}.at(0)),
+                    "EllipticalDrop: strain_rate [1/s] is -2, it must be finite and > 0");
 }
