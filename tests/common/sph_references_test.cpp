@@ -3,8 +3,10 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "common/references/dam_break_front.hpp"
 #include "common/references/elliptical_drop.hpp"
 #include "common/references/hydrostatic.hpp"
 #include "tests/catch.hpp"
@@ -225,4 +227,47 @@ TEST_CASE("a drop out of the physical range is refused", "[references]") {
   CHECK_THROWS_AS(unit_drop().at(infinity), std::invalid_argument);
   CHECK_THROWS_WITH((EllipticalDrop{1, -2, 1}.at(0)),
                     "EllipticalDrop: strain_rate [1/s] is -2, it must be finite and > 0");
+}
+
+TEST_CASE("the front of a dam break is where the experiment saw it, and in between on a straight line",
+          "[references]") {
+  CHECK(koshizuka_oka_1996.front(0) == 1);  // the column before it falls
+  CHECK(koshizuka_oka_1996.front(3.096) == 3.624);
+  CHECK(koshizuka_oka_1996.front(1.345) == Approx((1.505 + 1.892) / 2));
+  CHECK(martin_moyce_1952_small.front(2.283) == 2.689);
+  CHECK(martin_moyce_1952_large.front(4.034) == 4.944);
+  for (const FrontExperiment& experiment : dam_break_fronts) {
+    CAPTURE(std::string(experiment.name));
+    for (const auto& [time, front] : experiment.readings) CHECK(experiment.front(time) == front);
+    CHECK(std::isnan(experiment.front(experiment.readings.front().time - 1e-9)));
+    CHECK(std::isnan(experiment.front(experiment.readings.back().time + 1e-9)));
+    CHECK(std::isnan(experiment.front(not_a_number)));
+    CHECK(std::isnan(FrontExperiment{"", "", {}}.front(1)));
+  }
+}
+
+TEST_CASE("the front of a dam break only advances, and not faster than shallow water on a dry bed",
+          "[references]") {
+  // Ritter 1892: 2 sqrt(g 2a), which is dZ/dT = 2. Readings are right to 2 % in T and in Z.
+  for (const FrontExperiment& experiment : dam_break_fronts) {
+    for (std::size_t n = 1; n < experiment.readings.size(); ++n) {
+      const FrontReading from = experiment.readings[n - 1], to = experiment.readings[n];
+      CAPTURE(std::string(experiment.name), to.time);
+      CHECK(to.time > from.time);
+      CHECK(to.front > from.front);
+      CHECK(to.front - from.front < 2 * (to.time - from.time + 0.02 * to.time) + 0.02 * to.front);
+    }
+  }
+}
+
+TEST_CASE("columns of 3, 6 and 15 cm collapse alike", "[references]") {
+  for (double time = 0.85; time < 5.3; time += 0.05) {
+    for (const FrontExperiment& one : dam_break_fronts) {
+      for (const FrontExperiment& other : dam_break_fronts) {
+        if (std::isnan(one.front(time)) || std::isnan(other.front(time))) continue;
+        CAPTURE(std::string(one.name), std::string(other.name), time);
+        CHECK(one.front(time) == Approx(other.front(time)).epsilon(0.12));  // the scatter, at T = 2.7
+      }
+    }
+  }
 }
