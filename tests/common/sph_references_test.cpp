@@ -9,6 +9,7 @@
 #include "common/references/dam_break_front.hpp"
 #include "common/references/elliptical_drop.hpp"
 #include "common/references/hydrostatic.hpp"
+#include "common/references/square_patch.hpp"
 #include "tests/catch.hpp"
 
 using namespace clapotis;
@@ -55,6 +56,18 @@ Strained monaghan_drop(double t, int steps) {
     s = s + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   return s;
+}
+
+/// The double series of Colagrossi 2005 for the square patch, over rho omega^2 L^2, odd modes below `modes`.
+double patch_by_double_series(double x, double y, int modes) {
+  double sum = 0;
+  for (int m = 1; m < modes; m += 2) {
+    for (int n = 1; n < modes; n += 2) {
+      const double curvature = pi * pi * (m * m + n * n);
+      sum -= 32 / (m * n * pi * pi * curvature) * std::sin(m * pi * (x + 0.5)) * std::sin(n * pi * (y + 0.5));
+    }
+  }
+  return sum;
 }
 
 }  // namespace
@@ -270,4 +283,63 @@ TEST_CASE("columns of 3, 6 and 15 cm collapse alike", "[references]") {
       }
     }
   }
+}
+
+TEST_CASE("the pressure in a turning square patch is lowest in its centre, by the published amount",
+          "[references]") {
+  const SquarePatch patch{1, 1, 1};
+  CHECK(std::abs(patch.pressure(0, 0) + 0.14734) < 5e-6);  // printed digits
+  // Computed with 30 digits.
+  CHECK(patch.pressure(0, 0) == Approx(-0.147342706563027631).epsilon(16 * round_off));
+  CHECK(patch.pressure(0.25, 0) == Approx(-0.114669812949216667).epsilon(16 * round_off));
+  CHECK(patch.pressure(-0.25, 0.25) == Approx(-0.0905723162189454115).epsilon(16 * round_off));
+  CHECK(patch.pressure(0.2, -0.4) == Approx(-0.0512559578376477367).epsilon(16 * round_off));
+  const SquarePatch basin{3, -2, 1000};  // rho omega^2 L^2 = 36,000 Pa, in either sense of turning
+  CHECK(basin.pressure(-0.3, 0.9) == Approx(36000 * -0.0963111446373773421).epsilon(16 * round_off));
+}
+
+TEST_CASE("the pressure in a turning square patch is the double series in the literature", "[references]") {
+  const SquarePatch patch{1, 1, 1};
+  for (double x = -0.45; x < 0.5; x += 0.15) {
+    for (double y = -0.45; y < 0.5; y += 0.15) {
+      CAPTURE(x, y);
+      // The modes left out have changing signs and cancel but for about the first row of them: 32/pi^4 times
+      // the sum over n of 1/(n M (M^2 + n^2)), which is 1.3e-7 for M = 200, from each of the two directions.
+      CHECK(std::abs(patch.pressure(x, y) - patch_by_double_series(x, y, 200)) < 2.6e-7);
+    }
+  }
+}
+
+TEST_CASE("the pressure in a turning square patch balances the centrifugal force, and ends at the rim",
+          "[references]") {
+  const SquarePatch patch{1, 1, 1};
+  const double d =
+      1e-3;  // d^2/12 of fourth derivatives, which grow towards the corners to 500: 4e-5; round-off 1e-9
+  for (double x = -0.45; x < 0.5; x += 0.09) {
+    for (double y = -0.45; y < 0.5; y += 0.09) {
+      const double around = patch.pressure(x + d, y) + patch.pressure(x - d, y) + patch.pressure(x, y + d) +
+                            patch.pressure(x, y - d);
+      CAPTURE(x, y);
+      CHECK((around - 4 * patch.pressure(x, y)) / (d * d) == Approx(2).margin(5e-5));
+      CHECK(patch.pressure(y, -x) == Approx(patch.pressure(x, y)).epsilon(8 * round_off));
+    }
+  }
+  for (double along = -0.5; along <= 0.5; along += 0.05) {
+    CHECK(patch.pressure(0.5, along) == 0);
+    CHECK(patch.pressure(along, -0.5) == 0);
+    // Where the series converges worst: next to the rim p is still small and negative.
+    CHECK(patch.pressure(along, 0.5 - 1e-9) <= 0);
+    CHECK(patch.pressure(along, 0.5 - 1e-9) > -1e-9);
+  }
+  CHECK(patch.pressure(0.5 - 1e-5, 0.5 - 1e-5) < 0);  // the very corner
+  CHECK(patch.pressure(0.5 - 1e-5, 0.5 - 1e-5) > -1e-8);
+  CHECK(patch.pressure(0.7, 0) == 0);
+}
+
+TEST_CASE("a turning patch out of the physical range is refused", "[references]") {
+  CHECK_THROWS_AS((SquarePatch{0, 1, 1}.pressure(0, 0)), std::invalid_argument);
+  CHECK_THROWS_AS((SquarePatch{1, infinity, 1}.pressure(0, 0)), std::invalid_argument);
+  CHECK_THROWS_AS((SquarePatch{1, 1, 1}.pressure(0, not_a_number)), std::invalid_argument);
+  CHECK_THROWS_WITH((SquarePatch{1, 1, 0}.pressure(0, 0)),
+                    "SquarePatch: density [kg/m^3] is 0, it must be finite and > 0");
 }
