@@ -10,6 +10,7 @@
 #include "common/references/elliptical_drop.hpp"
 #include "common/references/hydrostatic.hpp"
 #include "common/references/square_patch.hpp"
+#include "common/references/stability_limits.hpp"
 #include "tests/catch.hpp"
 
 using namespace clapotis;
@@ -342,4 +343,33 @@ TEST_CASE("a turning patch out of the physical range is refused", "[references]"
   CHECK_THROWS_AS((SquarePatch{1, 1, 1}.pressure(0, not_a_number)), std::invalid_argument);
   CHECK_THROWS_WITH((SquarePatch{1, 1, 0}.pressure(0, 0)),
                     "SquarePatch: density [kg/m^3] is 0, it must be finite and > 0");
+}
+
+TEST_CASE("symplectic Euler and RK4 meet their limits on one and the same fastest wave of the lattice",
+          "[references]") {
+  const SphStabilityLimits& undamped = sph_stability_limits.front();
+  REQUIRE(undamped.alpha == 0);
+  const StabilityLimits& measured = undamped.dt_c_over_h;
+  // w h/c = 1.06, 1.07: the steps that were tried lie 1.5 % apart.
+  CHECK(oscillator_limits.symplectic_euler / measured.symplectic_euler ==
+        Approx(oscillator_limits.rk4 / measured.rk4).epsilon(0.015));
+  // The amplification of RK4, 1 - w^2/2 + w^4/24 + i (w - w^3/6), leaves the unit circle at its limit.
+  const auto amplification = [](double w) {
+    return std::hypot(1 - w * w / 2 + w * w * w * w / 24, w - w * w * w / 6);
+  };
+  CHECK(amplification(oscillator_limits.rk4) == Approx(1).epsilon(8 * round_off));
+  CHECK(amplification(oscillator_limits.rk4 * 1.001) > 1);
+  CHECK(amplification(oscillator_limits.rk4 * 0.999) < 1);
+}
+
+TEST_CASE("artificial viscosity steadies explicit Euler and RK2 and slows the others down", "[references]") {
+  const StabilityLimits none = sph_stability_limits[0].dt_c_over_h,
+                        some = sph_stability_limits[1].dt_c_over_h,
+                        strong = sph_stability_limits[2].dt_c_over_h;
+  CHECK(none.explicit_euler < some.explicit_euler);
+  CHECK(some.explicit_euler < strong.explicit_euler);
+  CHECK(none.rk2 < some.rk2);
+  CHECK(some.rk2 < strong.rk2);
+  CHECK(strong.symplectic_euler < some.symplectic_euler);
+  CHECK(some.symplectic_euler < none.symplectic_euler);
 }
