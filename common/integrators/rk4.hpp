@@ -10,27 +10,38 @@ class Rk4 final : public Integrator {
   void step(System& s, double dt) override {
     x0_ = s.position;
     v0_ = s.velocity;
+    rho0_ = s.density;
+    s.evaluate_density_rate();
     v_ = v0_;
     a_ = s.acceleration;
-    double power = s.dissipation;
+    rate_ = s.density_rate;
+    double power = s.dissipation + s.diffusion;
     const auto stage = [&](double c, double weight) {
-      s.position = x0_ + c * dt * s.velocity;
-      s.velocity = v0_ + c * dt * s.acceleration;
+      go(s, c * dt, s.velocity, s.acceleration, s.density_rate);
       s.evaluate(s.time + c * dt);
+      s.evaluate_density_rate();
       v_ += weight * s.velocity;
       a_ += weight * s.acceleration;
-      power += weight * s.dissipation;
+      rate_ += weight * s.density_rate;
+      power += weight * (s.dissipation + s.diffusion);
     };
     stage(0.5, 2);
     stage(0.5, 2);
     stage(1.0, 1);
-    s.position = x0_ + dt / 6 * v_;
-    s.velocity = v0_ + dt / 6 * a_;
+    go(s, dt / 6, v_, a_, rate_);
     s.dissipated_energy += dt / 6 * power;
   }
 
  private:
+  /// From the start of the step, for dt, at these rates of position, velocity and density.
+  void go(System& s, double dt, const Vectors& v, const Vectors& a, const Column& rate) const {
+    s.position = x0_ + dt * v;
+    s.velocity = v0_ + dt * a;
+    if (s.advances_density()) s.density = rho0_ + dt * rate;
+  }
+
   Vectors x0_, v0_, v_, a_;
+  Column rho0_, rate_;
 };
 
 }  // namespace clapotis

@@ -10,7 +10,7 @@ class SymplecticEuler final : public Integrator {
  public:
   void step(System& s, double dt) override {
     s.assign(s.velocity, s.velocity + dt * s.acceleration);
-    s.assign(s.position, s.position + dt * s.velocity);
+    s.drift(dt);
     s.dissipated_energy += dt * s.dissipation;
   }
 };

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/laws/fluid.hpp"
 #include "common/particles/pack.hpp"
 #include "common/particles/particles.hpp"
 #include "common/simulation/parameters.hpp"
@@ -21,6 +22,7 @@
 /// - `Pack pair_potential(p, i, j, ij)`: energy stored between i and each j [energy]
 /// - `double dissipation(p, i)`: power that `body` takes out of the motion [energy/s]
 /// - `StepLimit limit(particles)`: the largest stable time step
+/// - `stress` and `friction`: between the particles of a fluid, see fluid.hpp
 ///
 /// `p` gives p.position(i), p.velocity(i), p.mass(i). In `pair`, i is one particle and j is as many as a pack
 /// holds, so p.mass(j) is a Pack, and a value of j cannot be asked about with `if`: use max, min, select
@@ -120,6 +122,11 @@ template <class L>
 concept LimitsStep = requires(const L& law, const Particles& particles) {
   law.limit(particles);
 };
+/// A law whose limit changes with speeds or accelerations says `static constexpr bool follows_state = true`.
+template <class L>
+concept FollowsState = requires {
+  requires L::follows_state;
+};
 template <class L>
 concept ReadsVelocity = requires {
   requires L::reads_velocity;
@@ -130,6 +137,6 @@ concept Law = requires(Parameters& p) {
   { L::from(p) } -> std::same_as<L>;
   std::string_view{L::name};
 }
-&&(ActsOnBody<L> || ActsOnPair<L> || Settles<L>);
+&&(ActsOnBody<L> || ActsOnPair<L> || FluidLaw<L> || Settles<L> || LimitsStep<L>);
 
 }  // namespace clapotis

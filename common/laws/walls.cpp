@@ -129,6 +129,18 @@ void SupportingWalls::settle(System& system, double dt) const {
   settle_all(walls, system, dt, [&](Index i) { return row(system.acceleration, i); });
 }
 
+TankWalls TankWalls::from(Parameters& p) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double gap = p.value("walls") == 0 ? 0 : p.value("spacing") / 2;  // dummy, reflect
+  return {{.left = gap,
+           .right = p.value("tank_width") - gap,
+           .bottom = gap,
+           .top = infinite,
+           .restitution = p.number(restitution)}};
+}
+
+void TankWalls::settle(System& system, double dt) const { settle_all(walls, system, dt, not_counted); }
+
 CentreFloor CentreFloor::from(Parameters& p) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   return {{.left = 0,

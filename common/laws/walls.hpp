@@ -67,6 +67,18 @@ struct SupportingWalls {
 };
 static_assert(Law<SupportingWalls> && Settles<SupportingWalls>);
 
+/// The floor and the side walls of a tank without a lid. Where its walls are made of particles (DummyWalls) these
+/// planes, at the walls' faces, are only the last net for what has passed between them; where they are not, the
+/// discs of radius dx/2 are reflected at them.
+struct TankWalls {
+  static constexpr std::string_view name = "walls";
+  Walls walls;
+
+  static TankWalls from(Parameters& p);
+  void settle(System& system, double dt) const;
+};
+static_assert(Law<TankWalls> && Settles<TankWalls>);
+
 /// A floor that the CENTRE touches at y = 0, with side walls likewise, and no ceiling: so that the closed
 /// form of a vertical fall holds as printed.
 struct CentreFloor {

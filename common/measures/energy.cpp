@@ -26,6 +26,7 @@ Energy energy(System& s) {
   return {.kinetic = kinetic,
           .potential = stored.potential,
           .elastic = stored.elastic,
+          .internal = stored.internal,
           .dissipated = s.dissipated_energy};
 }
 
@@ -37,10 +38,10 @@ Vector centre_of_mass(const Particles& particles) {
   return (1 / mass) * sum_by_mass(particles, particles.position);
 }
 
-double max_speed(const Particles& particles) {
-  return particles.size() == 0
-             ? 0
-             : std::sqrt(particles.velocity.square().rowwise().sum().maxCoeff<Eigen::PropagateNaN>());
+double max_speed(const Particles& particles) { return greatest_norm(particles.velocity); }
+
+double density_error(const Particles& particles, const Fluid& fluid) {
+  return std::sqrt((particles.density / fluid.state.reference_density - 1).square().mean());
 }
 
 }  // namespace clapotis

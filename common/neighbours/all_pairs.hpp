@@ -16,7 +16,7 @@ class AllPairs {
   [[nodiscard]] Index id(Index slot) const { return slot; }
   void candidates(Vector /*r*/, auto&& visit) const { visit(Index{0}, n_); }
 
-  [[nodiscard]] double cell() const { return 0; }  ///< no cells
+  [[nodiscard]] Vector cell() const { return {0, 0}; }  ///< no cells
   [[nodiscard]] Vector origin() const { return {0, 0}; }
   [[nodiscard]] std::size_t bytes() const { return 0; }
 

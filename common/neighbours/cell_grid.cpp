@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace clapotis {
+namespace {
+
+/// The line of cells at or below `least`: cells stand still while the particles move.
+double anchor(double least, double side) {
+  const double line = std::floor(least / side) * side;
+  return line <= least && least - line <= side ? line : least;  // far away, lines are rounded by many cells
+}
+
+}  // namespace
 
 void CellGrid::lay_out(const Vectors& position, double support) {
   const double n = static_cast<double>(position.rows());
@@ -16,23 +25,23 @@ void CellGrid::lay_out(const Vectors& position, double support) {
   }
   const double width = high.x - low.x, height = high.y - low.y;
   const double most_cells = 4 * n + 64;
-  cell_ = support * (1 + 1e-6);  // so that round-off cannot put two neighbours two cells apart
+  height_ = reach_ = support * (1 + 1e-6);  // so that round-off cannot hide a neighbour
   if (!std::isfinite(width) || !std::isfinite(height)) {
     origin_ = {0, 0};
     columns_ = lines_ = 1;
-    inverse_cell_ = 0;
+    inverse_width_ = inverse_height_ = 0;
     return;
   }
-  while ((width / cell_ + 2) * (height / cell_ + 2) > most_cells) cell_ *= 2;
-  inverse_cell_ = 1 / cell_;
-  const auto anchor = [&](double least) {  // cells that stand still while the particles move
-    const double line = std::floor(least * inverse_cell_) * cell_;
-    return line <= least && least - line <= cell_ ? line
-                                                  : least;  // far away, lines are rounded by many cells
-  };
-  origin_ = {anchor(low.x), anchor(low.y)};
-  columns_ = static_cast<Index>((high.x - origin_.x) * inverse_cell_) + 1;
-  lines_ = static_cast<Index>((high.y - origin_.y) * inverse_cell_) + 1;
+  int slices = slices_;
+  const auto cells = [&] { return (width * slices / height_ + 2) * (height / height_ + 2); };
+  while (slices > 1 && cells() > most_cells) slices /= 2;
+  while (cells() > most_cells) height_ *= 2;
+  width_ = height_ / slices;
+  inverse_width_ = 1 / width_;
+  inverse_height_ = 1 / height_;
+  origin_ = {anchor(low.x, width_), anchor(low.y, height_)};
+  columns_ = static_cast<Index>((high.x - origin_.x) * inverse_width_) + 1;
+  lines_ = static_cast<Index>((high.y - origin_.y) * inverse_height_) + 1;
 }
 
 void CellGrid::build(const Vectors& position, double support, int /*threads*/) {
@@ -44,7 +53,8 @@ void CellGrid::build(const Vectors& position, double support, int /*threads*/) {
 
   const double *x = position.col(0).data(), *y = position.col(1).data();
   for (std::size_t i = 0; i < n; ++i) {
-    const Index cell = place(y[i] - origin_.y, lines_) * columns_ + place(x[i] - origin_.x, columns_);
+    const Index cell = place(y[i] - origin_.y, inverse_height_, lines_) * columns_ +
+                       place(x[i] - origin_.x, inverse_width_, columns_);
     cell_of_[i] = static_cast<std::int32_t>(cell);
     ++starts_[static_cast<std::size_t>(cell)];
   }

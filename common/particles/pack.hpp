@@ -23,6 +23,10 @@ inline constexpr long pack_width = static_cast<long>(Pack::size());
 [[gnu::always_inline]] inline Pack min(const Pack& a, double b) { return std::experimental::min(a, Pack(b)); }
 using std::experimental::sqrt;
 
+// The same words for one number, so that a formula serves both.
+inline double max(double a, double b) { return a > b ? a : b; }
+inline double min(double a, double b) { return a < b ? a : b; }
+
 /// `yes` where `condition` holds, `no` elsewhere: what an `if` is for one number.
 [[gnu::always_inline]] inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack& no) {
   Pack result = no;

@@ -1,8 +1,13 @@
 #include "common/particles/particles.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace clapotis {
+
+double greatest_norm(const Vectors& a) {
+  return a.rows() == 0 ? 0 : std::sqrt(a.square().rowwise().sum().maxCoeff<Eigen::PropagateNaN>());
+}
 
 Particles::Particles(Index count, double mass)
     : position(Vectors::Zero(count, 2)),
@@ -23,6 +28,14 @@ const Column* Particles::column(std::string_view name) const {
   return nullptr;
 }
 
+std::vector<Particles::View> Particles::columns() const {
+  std::vector<View> all;
+  if (density.size() > 0) all.push_back({"density", "kg/L^3", density});
+  if (pressure.size() > 0) all.push_back({"pressure", "kg/(L s^2)", pressure});
+  for (const auto& c : extra) all.push_back({c.name, c.unit, c.values});
+  return all;
+}
+
 double Particles::least_mass() const {
   return masses_ == none || size() == 0 ? uniform_mass : extra[masses_].values.minCoeff();
 }
@@ -33,7 +46,9 @@ double Particles::greatest_mass() const {
 
 std::size_t Particles::bytes() const {
   const auto per_particle = 3 * 2 + extra.size();
-  return static_cast<std::size_t>(size()) * per_particle * sizeof(double);
+  return (static_cast<std::size_t>(size()) * per_particle +
+          static_cast<std::size_t>(density.size() + density_rate.size() + pressure.size())) *
+         sizeof(double);
 }
 
 }  // namespace clapotis

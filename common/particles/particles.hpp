@@ -4,6 +4,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/particles/vec.hpp"
 
@@ -16,16 +17,19 @@ using Vectors =
 
 inline Vector row(const Vectors& a, Index i) { return {a(i, 0), a(i, 1)}; }
 
-/// A quantity that only some scenes store for each particle.
+/// A quantity that only some scenes store for each particle. In `unit`, L stands for the scene's unit of
+/// length.
 struct NamedColumn {
   std::string name, unit;
   Column values;
 };
 
+/// The greatest length of the vectors; NaN if any is, 0 if there are none.
+double greatest_norm(const Vectors& a);
+
 /// The particles of a scene, as columns (structure of arrays). A particle's id is its place, 0 to n-1.
-/// Position, velocity and acceleration always exist; `extra` holds what the laws of the scene need besides,
-/// and drives memory, CSV headers and the list of what can be coloured. Without a column "mass" all have
-/// `uniform_mass`.
+/// Position, velocity and acceleration always exist, density and pressure in a fluid; `extra` holds what the
+/// laws of the scene need besides. Without a column "mass" all have `uniform_mass`.
 struct Particles {
   Particles() = default;
   /// `count` particles of `mass` each [kg], at the origin and at rest.
@@ -34,7 +38,11 @@ struct Particles {
   Vectors position;      ///< r [L]
   Vectors velocity;      ///< v [L/s]
   Vectors acceleration;  ///< a [L/s^2]: sum of the laws at the last evaluation
+  Column density;        ///< rho [kg/L^3]; empty where there is no fluid
+  Column density_rate;   ///< d rho/dt; empty unless the density is advanced by the equation of continuity
+  Column pressure;       ///< p of that density at the last evaluation [kg/(L s^2)]; empty without a fluid
   double uniform_mass = 1;
+  std::string_view kind = "disc";  ///< what they are, for files: disc, fluid
   std::deque<NamedColumn> extra;  ///< a deque: columns stay where they are when others are added
 
   [[nodiscard]] Index size() const { return position.rows(); }
@@ -51,6 +59,12 @@ struct Particles {
   Column& add_column(std::string name, std::string unit);
   /// The column of that name, or null.
   [[nodiscard]] const Column* column(std::string_view name) const;
+  /// The columns that only some scenes have, for files and colours: density, pressure, then the extra ones.
+  struct View {
+    std::string_view name, unit;
+    const Column& values;
+  };
+  [[nodiscard]] std::vector<View> columns() const;
   /// Memory of all columns [byte].
   [[nodiscard]] std::size_t bytes() const;
 

@@ -31,7 +31,7 @@ void colour(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint
     picture.colours.label = "|m a|";
     picture.colours.unit = length == "m" ? "N" : with_length("kg L/s²", length);
   } else {
-    for (const auto& column : particles.extra) {
+    for (const auto& column : particles.columns()) {
       if (column.name != viewpoint.colour_by) continue;
       picture.value = column.values;
       picture.colours.label = column.name;
@@ -57,7 +57,7 @@ void add_neighbours(Picture& picture, Simulation& simulation, const Viewpoint& v
   if ((!viewpoint.grid && !viewpoint.chosen) || particle >= simulation.particles().size()) return;
   const auto around = simulation.model().neighbourhood(simulation.particles(), particle);
   if (!around) return;
-  if (viewpoint.grid && around->cell > 0) picture.cell = around->cell;
+  if (viewpoint.grid && around->cell.y > 0) picture.cell = around->cell.y;
   if (!viewpoint.chosen) return;
   picture.chosen = Chosen{
       particle, around->neighbours, around->support,
@@ -75,7 +75,7 @@ std::string error_note(const Simulation& simulation) {
 
 std::vector<std::string> colourings(const Simulation& simulation) {
   std::vector<std::string> names{"speed", "force"};
-  for (const auto& column : simulation.particles().extra) names.push_back(column.name);
+  for (const auto& column : simulation.particles().columns()) names.emplace_back(column.name);
   names.emplace_back("plain");
   return names;
 }

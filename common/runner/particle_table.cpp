@@ -23,15 +23,15 @@ void append(std::string& row, double value) {
 void write_particles(const std::filesystem::path& file, Simulation& simulation) {
   AtomicFile table(file);
   std::string row = "id,kind,x,y,vx,vy,ax,ay";
-  for (const auto& column : simulation.particles().extra) row += "," + column.name;
+  for (const auto& column : simulation.particles().columns()) row += "," + std::string(column.name);
   table.write(row + "\n");
   simulation.look([&](const System& system) {
     const auto& p = system.particles;
     for (Index i = 0; i < p.size(); ++i) {
-      row = std::to_string(i) + ",disc";
+      row = std::to_string(i) + "," + std::string(p.kind);
       for (const auto* vectors : {&p.position, &p.velocity, &p.acceleration})
         for (const int axis : {0, 1}) append(row, (*vectors)(i, axis));
-      for (const auto& column : p.extra) append(row, column.values(i));
+      for (const auto& column : p.columns()) append(row, column.values(i));
       table.write(row += '\n');
     }
   });
@@ -43,8 +43,8 @@ std::map<std::string, std::string> particle_units(const Simulation& simulation) 
   std::map<std::string, std::string> units{
       {"id", "1"},           {"kind", ""},          {"x", length},           {"y", length},
       {"vx", length + "/s"}, {"vy", length + "/s"}, {"ax", length + "/s^2"}, {"ay", length + "/s^2"}};
-  for (const auto& column : simulation.particles().extra)
-    units[column.name] = with_length(column.unit, length);
+  for (const auto& column : simulation.particles().columns())
+    units[std::string(column.name)] = with_length(column.unit, length);
   return units;
 }
 

@@ -6,7 +6,8 @@ using Json = nlohmann::ordered_json;
 
 Json energy_json(const Energy& e) {
   return {{"kinetic", or_null(e.kinetic)},       {"potential", or_null(e.potential)},
-          {"elastic", or_null(e.elastic)},       {"mechanical", or_null(e.mechanical())},
+          {"elastic", or_null(e.elastic)},       {"internal", or_null(e.internal)},
+          {"mechanical", or_null(e.mechanical())},
           {"dissipated", or_null(e.dissipated)}, {"total", or_null(e.total())}};
 }
 

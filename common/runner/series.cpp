@@ -12,9 +12,11 @@ namespace {
 constexpr double seconds_between_flushes = 1;
 
 constexpr bool always(const Simulation&) { return true; }
-bool has_springs(const Simulation& s) { return s.model().has_pairs(); }
+bool is_fluid(const Simulation& s) { return s.setup().fluid.has_value(); }
+bool has_springs(const Simulation& s) { return s.model().has_pairs() && !is_fluid(s); }
+bool has_front(const Simulation& s) { return s.setup().has_front; }
 bool has_reference(const Simulation& s) { return s.setup().reference.has_value(); }
-bool has_sound(const Simulation& s) { return s.sound_speed() > 0 && s.setup().radius > 0; }
+bool has_sound(const Simulation& s) { return s.sound_speed() > 0 && s.smoothing_length() > 0; }
 
 constexpr std::array all_columns{
     SeriesColumn{"t", "s", [](const Moment& m) { return m.simulation.time(); }, always},
@@ -29,6 +31,7 @@ constexpr std::array all_columns{
                  always},
     SeriesColumn{"elastic_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.elastic; },
                  has_springs},
+    SeriesColumn{"internal_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.internal; }, is_fluid},
     SeriesColumn{"mechanical_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.mechanical(); },
                  always},
     SeriesColumn{"dissipated_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.dissipated; },
@@ -42,11 +45,16 @@ constexpr std::array all_columns{
                  always},
     SeriesColumn{"centre_y", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).y; },
                  always},
+    SeriesColumn{"front_x", "L",
+                 [](const Moment& m) { return m.simulation.particles().position.col(0).maxCoeff(); }, has_front},
     SeriesColumn{"max_speed", "L/s", [](const Moment& m) { return max_speed(m.simulation.particles()); },
                  always},
+    SeriesColumn{"density_error", "1",
+                 [](const Moment& m) { return density_error(m.simulation.particles(), *m.simulation.setup().fluid); },
+                 is_fluid},
     SeriesColumn{"cfl", "1",
                  [](const Moment& m) {
-                   return m.simulation.dt() * m.simulation.sound_speed() / m.simulation.setup().radius;
+                   return m.simulation.dt() * m.simulation.sound_speed() / m.simulation.smoothing_length();
                  },
                  has_sound},
     SeriesColumn{"error", "error", [](const Moment& m) { return m.simulation.error(); }, has_reference},

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <chrono>
 #include <tuple>
 
 #include "common/laws/law.hpp"
 #include "common/neighbours/all_pairs.hpp"
-#include "common/simulation/model.hpp"
+#include "common/simulation/law_set.hpp"
+#include "common/simulation/phase_timer.hpp"
 #include "common/simulation/sweep.hpp"
 #include "common/simulation/system.hpp"
 
@@ -14,24 +14,6 @@ namespace clapotis {
 /// In place of a neighbour search, for scenes whose particles do not act on each other.
 struct NoPairs {};
 
-/// Adds the seconds until it goes to `total`, if it is asked to.
-class PhaseTimer {
- public:
-  PhaseTimer(bool timed, double& total) : total_(timed ? &total : nullptr) {
-    if (timed) start_ = std::chrono::steady_clock::now();
-  }
-  PhaseTimer(const PhaseTimer&) = delete;
-  PhaseTimer& operator=(const PhaseTimer&) = delete;
-  ~PhaseTimer() {
-    if (total_ != nullptr)
-      *total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  double* total_;
-  std::chrono::steady_clock::time_point start_;
-};
-
 /// The laws of a scene, fused: one sweep over the neighbours computes all pair laws, one pass all others.
 /// What no law needs is not there: without a pair law no neighbours are searched, without a law that
 /// dissipates nothing is summed. `Search` is AllPairs, CellGrid or NoPairs; `Mass` is UniformMass or
@@ -39,7 +21,6 @@ class PhaseTimer {
 template <class Search, class Mass, Law... Laws>
 class FusedModel final : public Model {
   static constexpr bool pairs = (ActsOnPair<Laws> || ...);
-  static constexpr bool dissipates = (Dissipates<Laws> || ...);
   static_assert(
       pairs != std::is_same_v<Search, NoPairs>,
       "A scene with a law between pairs names its neighbour search, AllPairs or CellGrid; one without such "
@@ -49,68 +30,25 @@ class FusedModel final : public Model {
                           ((ActsOnPair<Laws> && ReadsVelocity<Laws>) || ...)>;
 
  public:
-  explicit FusedModel(Parameters& parameters) : laws_{Laws::from(parameters)...} {}
+  explicit FusedModel(Parameters& parameters) : laws_(parameters) {}
 
   void evaluate(System& s, double t) override {
     accelerate<Laws...>(s.particles, t, s.acceleration);
-    if constexpr (dissipates) {
-      const auto p = view_of<Mass>(s.particles);
-      s.dissipation = sum_over(s.particles.size(), threads, [&](Index i, std::size_t) {
-        return over_laws([&](const auto& law) {
-          if constexpr (requires { law.dissipation(p, i); })
-            return law.dissipation(p, i);
-          else
-            return 0.0;
-        });
-      });
-    }
+    s.dissipation = laws_.dissipation(s.particles, threads);
   }
-
-  void settle(System& s, double dt) override {
-    std::apply(
-        [&](auto&... law) {
-          const auto settle_one = [&](auto& l) {
-            if constexpr (requires { l.settle(s, dt); }) l.settle(s, dt);
-          };
-          (settle_one(law), ...);
-        },
-        laws_);
-  }
-
-  void refresh(Parameters& parameters) override { laws_ = {Laws::from(parameters)...}; }
+  void settle(System& s, double dt) override { laws_.settle(s, dt); }
+  void refresh(Parameters& parameters) override { laws_.refresh(parameters); }
 
   [[nodiscard]] StoredEnergy stored_energy(const Particles& particles) override {
-    StoredEnergy energy;
-    const auto p = view_of<Mass>(particles);
-    energy.potential = sum_over(particles.size(), threads, [&](Index i, std::size_t) {
-      return over_laws([&](const auto& law) {
-        if constexpr (requires { law.potential(p, i); })
-          return law.potential(p, i);
-        else
-          return 0.0;
-      });
-    });
+    StoredEnergy energy{.potential = laws_.potential(particles, threads)};
     if constexpr (pairs) energy.elastic = pair_energy(particles);
     return energy;
   }
-
   [[nodiscard]] std::vector<StepLimit> limits(const Particles& particles) const override {
-    std::vector<StepLimit> all;
-    each_law([&](const auto& law) {
-      if constexpr (requires { law.limit(particles); }) all.push_back(law.limit(particles));
-    });
-    return all;
+    return laws_.limits(particles);
   }
-
-  [[nodiscard]] std::vector<std::string> laws() const override { return {std::string(Laws::name)...}; }
-
-  [[nodiscard]] std::optional<Walls> walls() const override {
-    std::optional<Walls> found;
-    each_law([&](const auto& law) {
-      if constexpr (requires { law.walls; }) found = law.walls;
-    });
-    return found;
-  }
+  [[nodiscard]] std::vector<std::string> laws() const override { return laws_.names(); }
+  [[nodiscard]] std::optional<Walls> walls() const override { return laws_.walls(); }
 
   [[nodiscard]] std::vector<double> law_seconds(const System& s, int repetitions) override;
   [[nodiscard]] std::optional<Neighbourhood> neighbourhood(const Particles& particles, Index i) override;
@@ -124,17 +62,9 @@ class FusedModel final : public Model {
   }
 
  private:
-  template <class Act>
-  void each_law(const Act& act) const {
-    std::apply([&](const auto&... law) { (act(law), ...); }, laws_);
-  }
-  template <class Term>
-  double over_laws(const Term& term) const {
-    return std::apply([&](const auto&... law) { return (term(law) + ...); }, laws_);
-  }
   [[nodiscard]] double support() const {
     double widest = 0;
-    each_law([&](const auto& law) {
+    laws_.each([&](const auto& law) {
       if constexpr (requires { law.support(); }) widest = std::max(widest, law.support());
     });
     return widest;
@@ -144,14 +74,7 @@ class FusedModel final : public Model {
   template <class... Some>
   void accelerate(const Particles& particles, double t, Vectors& a) {
     const auto p = view_of<Mass>(particles);
-    const auto bodies = [&](Index i) {
-      Vector sum{0, 0};
-      const auto add = [&](const auto& law) {
-        if constexpr (requires { law.body(p, i, t); }) sum += law.body(p, i, t);
-      };
-      (add(std::get<Some>(laws_)), ...);
-      return sum;
-    };
+    const auto bodies = [&](Index i) { return laws_.template body<Some...>(p, i, t); };
     if constexpr ((ActsOnPair<Some> || ...)) {
       {
         const PhaseTimer timer(timed, seconds.neighbours);
@@ -186,7 +109,7 @@ class FusedModel final : public Model {
       const auto add = [&](const auto& law) {
         if constexpr (requires { law.pair(p, slot, j, ij); }) sum += law.pair(p, slot, j, ij);
       };
-      (add(std::get<Some>(laws_)), ...);
+      (add(laws_.template get<Some>()), ...);
       return sum;
     };
     Vec<Pack> packs{Pack(0.0), Pack(0.0)};
@@ -208,7 +131,7 @@ class FusedModel final : public Model {
     return sum_over(particles.size(), threads, [&](Slot slot, std::size_t) {
       const auto all_laws = [&](Run j, const Encounter& ij) {
         Pack sum(0.0);
-        each_law([&](const auto& law) {
+        laws_.each([&](const auto& law) {
           if constexpr (requires { law.pair_potential(p, slot, j, ij); })
             sum += law.pair_potential(p, slot, j, ij);
         });
@@ -223,7 +146,7 @@ class FusedModel final : public Model {
     });
   }
 
-  std::tuple<Laws...> laws_;
+  LawSet<Mass, Laws...> laws_;
   [[no_unique_address]] std::conditional_t<pairs, PairSweep, Nothing> sweep_;
 };
 
@@ -232,17 +155,8 @@ std::vector<double> FusedModel<Search, Mass, Laws...>::law_seconds(const System&
   Vectors scratch(s.particles.size(), 2);
   const auto keep = std::tuple(timed, coincident);
   timed = false;
-  const auto median_of = [&](const auto& act) {
-    std::vector<double> seconds_each(static_cast<std::size_t>(repetitions));
-    for (double& seconds_one : seconds_each) {
-      seconds_one = 0;
-      const PhaseTimer timer(true, seconds_one);
-      act();
-    }
-    std::nth_element(seconds_each.begin(), seconds_each.begin() + repetitions / 2, seconds_each.end());
-    return seconds_each[static_cast<std::size_t>(repetitions / 2)];
-  };
-  const std::vector<double> result{median_of([&] { accelerate<Laws>(s.particles, s.time, scratch); })...};
+  const std::vector<double> result{
+      median_seconds_of(repetitions, [&] { accelerate<Laws>(s.particles, s.time, scratch); })...};
   std::tie(timed, coincident) = keep;
   return result;
 }

@@ -12,6 +12,7 @@
 namespace clapotis {
 
 struct System;
+struct DummyWalls;
 class Parameters;
 
 /// The largest time step that something in the scene allows, and the share of it that `dt = auto` takes.
@@ -27,17 +28,20 @@ struct StepLimit {
 struct StoredEnergy {
   double potential = 0;  ///< weight
   double elastic = 0;    ///< springs
+  double internal = 0;   ///< compression of a fluid
 };
 
 /// Time that evaluations took, by phase [s].
 struct PhaseSeconds {
-  double neighbours = 0, forces = 0;
+  double neighbours = 0, density = 0, walls = 0, forces = 0;
+
+  [[nodiscard]] double total() const { return neighbours + density + walls + forces; }
 };
 
 /// The particles that touch or nearly touch one particle, for the eye.
 struct Neighbourhood {
   double support = 0;             ///< beyond this distance nothing acts [L]
-  double cell = 0;                ///< side of the cells; 0 without a grid [L]
+  Vector cell{0, 0};              ///< sides of a cell; 0 without a grid [L]
   Vector origin{0, 0};            ///< lower left corner of the grid
   std::vector<Index> candidates;  ///< tested
   std::vector<Index> neighbours;  ///< within the support
@@ -55,6 +59,8 @@ class Model {
 
   /// Sum of all laws at time t: fills acceleration and dissipation.
   virtual void evaluate(System& system, double t) = 0;
+  /// Fills density_rate and diffusion, in a model whose density follows from the equation of continuity.
+  virtual void evaluate_density_rate(System& /*system*/) {}
   /// After each step: walls. The only place where a state is changed other than by the integrator.
   virtual void settle(System& system, double dt) = 0;
   /// Reads the parameters again, after one of them changed.
@@ -62,9 +68,14 @@ class Model {
 
   [[nodiscard]] virtual StoredEnergy stored_energy(const Particles& particles) = 0;
   [[nodiscard]] virtual std::vector<StepLimit> limits(const Particles& particles) const = 0;
+  /// Whether the limits depend on speeds and accelerations, so that each step has its own dt.
+  [[nodiscard]] virtual bool limits_follow_state() const { return false; }
   [[nodiscard]] virtual std::vector<std::string> laws() const = 0;
   /// The walls, for the picture and for impacts located inside a step.
   [[nodiscard]] virtual std::optional<Walls> walls() const = 0;
+
+  /// The particles that walls are made of; null where there are none.
+  [[nodiscard]] virtual const DummyWalls* wall_particles() const { return nullptr; }
 
   /// Seconds of one evaluation of each law alone on the state as it stands: the median of `repetitions`.
   [[nodiscard]] virtual std::vector<double> law_seconds(const System& system, int repetitions) = 0;

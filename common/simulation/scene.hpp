@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/integrators/integrator.hpp"
+#include "common/laws/fluid.hpp"
 #include "common/simulation/model.hpp"
 #include "common/simulation/parameters.hpp"
 
@@ -33,9 +34,11 @@ struct View2D {
 struct Setup {
   Particles particles;
   std::unique_ptr<Model> model;
-  double radius = 0;  ///< h, for the picture and the acoustic limit h/c [L]
+  double radius = 0;  ///< of the discs in the picture, and h of the acoustic limit h/c where there is no fluid [L]
   View2D view{};
   std::optional<Reference> reference = {};
+  std::optional<Fluid> fluid = {};  ///< what the particles are, in stage 4 and on
+  bool has_front = false;           ///< whether the largest x of all particles is of interest
   bool locate_impacts = false;  ///< find each impact inside the step, instead of clamping after it
 };
 

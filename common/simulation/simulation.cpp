@@ -12,7 +12,7 @@
 namespace clapotis {
 namespace {
 
-constexpr long checkpoint_every = 16;  // steps: a copy of the state costs a few per cent of one step
+constexpr std::size_t checkpoint_every = 16;  // steps: a copy of the state costs a few per cent of one step
 constexpr long timed_every = 8;        // steps: reading the clock costs as much as moving a particle
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -49,6 +49,10 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   setup_.model->threads = threads;
   system_ = std::make_unique<System>(std::move(setup_.particles), *setup_.model);
   use_integrator(integrator);
+  if (setup_.model->limits_follow_state()) {
+    system_->evaluate(0);
+    system_->current = true;
+  }
   choose_step();
   if (const auto* broken = broken_limit(dt_, limits_))
     warnings_.push_back(about(words().beyond_limit, dt_, *broken));
@@ -70,8 +74,9 @@ void Simulation::use_integrator(std::string_view name) {
 /// Changes nothing if it throws.
 void Simulation::choose_step() {
   auto limits = setup_.model->limits(particles());
-  const double c = falling_sound_speed(parameters_);
-  limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
+  const double c = setup_.fluid ? setup_.fluid->state.sound_speed : falling_sound_speed(parameters_);
+  if (!setup_.fluid)
+    limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
   const double dt = choose_dt(parameters_.number(step_parameter), limits);
   // what the springs hold, and what a heavy particle moves with, may become the speed of the lightest
   const double least = particles().least_mass(), heavier = std::sqrt(particles().greatest_mass() / least);
@@ -109,14 +114,16 @@ void Simulation::step(double until) {
   const double left = until - time();
   const double dt = left < dt_ * (1 + 1e-9) ? left : dt_;
   if (dt <= 0) return;
-  if (steps_ - checkpoint_->steps >= checkpoint_every) keep();
+  if (taken_.size() >= checkpoint_every) keep();
+  taken_.push_back(dt);
   advance(dt);
   if (dt == left) {
     system_->time = until;
     clock_ = {};
   }
   check(dt);
-  if (dt != dt_ || dt == left) keep();  // the way back repeats steps of dt only
+  if (dt == left) keep();  // the way back knows nothing of `until`
+  if (setup_.model->limits_follow_state()) choose_step();
 }
 
 void Simulation::advance(double dt) {
@@ -135,11 +142,11 @@ void Simulation::advance(double dt) {
   ++steps_;
   if (model.timed) {
     const double settled = seconds_since(start);
-    const double inside = model.seconds.neighbours + model.seconds.forces;
     cost_.neighbours += timed_every * model.seconds.neighbours;
+    cost_.density += timed_every * model.seconds.density;
     cost_.forces += timed_every * model.seconds.forces;
-    cost_.integration += timed_every * (integrated - inside);
-    cost_.walls += timed_every * (settled - integrated);
+    cost_.integration += timed_every * (integrated - model.seconds.total());
+    cost_.walls += timed_every * (settled - integrated + model.seconds.walls);
     model.seconds = {};
     model.timed = false;  // what comes between two steps does not count
   }
@@ -188,6 +195,7 @@ void Simulation::keep() {
   c.clock = clock_;
   c.coincident = s.model.coincident;
   c.folded = s.model.folded;
+  taken_.clear();
 }
 
 /// Back to the checkpoint, then forward again, by the same steps, to the state after `steps` of them.
@@ -203,7 +211,12 @@ void Simulation::go_back(long steps) {
   clock_ = c.clock;
   s.model.coincident = c.coincident;
   s.model.folded = c.folded;
-  for (steps_ = c.steps; steps_ < steps;) advance(dt_);
+  const auto again = std::move(taken_);
+  taken_.clear();
+  for (steps_ = c.steps; steps_ < steps;) {
+    taken_.push_back(again[taken_.size()]);
+    advance(taken_.back());
+  }
 }
 
 void Simulation::look(const std::function<void(const System&)>& look) {

@@ -14,7 +14,7 @@ namespace clapotis {
 
 /// Where the time of the loop went [s].
 struct Cost {
-  double neighbours = 0, forces = 0, integration = 0, walls = 0;
+  double neighbours = 0, density = 0, forces = 0, integration = 0, walls = 0;
 };
 
 /// A scene that runs: the only time loop there is. Window, headless runs, tests, studies and comparisons call
@@ -50,7 +50,9 @@ class Simulation {
   [[nodiscard]] double error() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] const Cost& cost() const { return cost_; }
-  [[nodiscard]] double sound_speed() const { return sound_speed_; }  ///< c = 10 v_max [L/s]
+  [[nodiscard]] double sound_speed() const { return sound_speed_; }  ///< of the fluid, or c = 10 v_max [L/s]
+  /// What sound travels one of in h/c: the smoothing length of a fluid, or the radius [L].
+  [[nodiscard]] double smoothing_length() const { return setup_.fluid ? setup_.fluid->h : setup_.radius; }
 
   [[nodiscard]] System& system() { return *system_; }
   [[nodiscard]] const System& system() const { return *system_; }
@@ -91,6 +93,7 @@ class Simulation {
   long steps_ = 0;
   Clock clock_;
   std::unique_ptr<Checkpoint> checkpoint_;
+  std::vector<double> taken_;  ///< the steps since the checkpoint [s]
   Cost cost_;
   std::vector<std::string> warnings_;
 };

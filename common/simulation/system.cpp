@@ -12,4 +12,20 @@ void System::evaluate(double t) {
   ++force_evaluations;
 }
 
+void System::evaluate_density_rate() {
+  if (advances_density()) model.evaluate_density_rate(*this);
+}
+
+void System::drift(double dt) {
+  if (!advances_density()) {
+    assign(position, position + dt * velocity);
+    return;
+  }
+  assign(position, position + dt / 2 * velocity);
+  evaluate_density_rate();
+  assign(density, density + dt * density_rate);
+  dissipated_energy += dt * diffusion;
+  assign(position, position + dt / 2 * velocity);
+}
+
 }  // namespace clapotis

@@ -9,8 +9,9 @@ namespace clapotis {
 
 class Model;
 
-/// What an integrator advances: positions, velocities, and the energy the laws have dissipated, by the same
-/// scheme. y points up. `acceleration` and `dissipation` are those of the last `evaluate`.
+/// What an integrator advances: positions, velocities, the density where it follows from the equation of
+/// continuity, and the energy the laws have dissipated, by the same scheme. y points up. `acceleration` and
+/// `dissipation` are those of the last `evaluate`.
 struct System {
   System(Particles start, Model& laws) : particles(std::move(start)), model(laws) {}
 
@@ -19,6 +20,7 @@ struct System {
   double time = 0;               ///< t [s]
   double dissipated_energy = 0;  ///< energy lost to laws and walls since the start [energy]
   double dissipation = 0;        ///< its rate, by the laws that act at every instant [energy/s]
+  double diffusion = 0;          ///< its rate by the diffusion of density, at the last `evaluate_density_rate`
   long force_evaluations = 0;
   bool current = false;  ///< whether acceleration and dissipation belong to the state as it stands
   /// Takes out of the acceleration what a wall bears; empty but for a particle that can rest on one.
@@ -27,23 +29,33 @@ struct System {
   Vectors& position = particles.position;
   Vectors& velocity = particles.velocity;
   Vectors& acceleration = particles.acceleration;
+  Column& density = particles.density;
+  Column& density_rate = particles.density_rate;
 
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
   /// target = expression, a block of rows at a time, shared between threads: the same bits with any number of
   /// them.
-  template <class Expression>
-  void assign(Vectors& target, const Eigen::ArrayBase<Expression>& expression) const {
-    target.resize(expression.rows(), 2);
+  template <class Target, class Expression>
+  void assign(Target& target, const Eigen::ArrayBase<Expression>& expression) const {
+    target.resize(expression.rows(), expression.cols());
     for_blocks(expression.rows(), threads(), [&](Index first, Index count) {
       target.middleRows(first, count) = expression.derived().middleRows(first, count);
     });
   }
   [[nodiscard]] int threads() const;
 
-  /// Fills acceleration and dissipation from positions and velocities, at time t.
+  /// Fills acceleration and dissipation from positions, velocities and densities, at time t.
   void evaluate(double t);
+
+  /// Whether the density is part of the state, as the position is.
+  [[nodiscard]] bool advances_density() const { return density_rate.size() > 0; }
+  /// Fills density_rate and diffusion from positions, velocities and densities, where the density advances.
+  void evaluate_density_rate();
+
+  /// Moves with the velocity as it stands: x += dt v, and the density along the way, d rho/dt at its middle.
+  void drift(double dt);
 };
 
 }  // namespace clapotis

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/simulation/fluid_columns.hpp"
+
+namespace clapotis {
+
+/// Walls made of particles at rest, as dense as the fluid and as many layers deep as its support, which push
+/// back with the pressure that the fluid beside them has (Adami, Hu & Adams 2012):
+///
+///   p_w = sum_f (p_f + rho_f g.(x_w - x_f)) W / sum_f W,
+///
+/// not below 0 where the fluid bears no tension, and rho_w = rho(p_w). Where nothing is slipping along them,
+/// they carry the velocity -sum_f v_f W / sum_f W.
+struct DummyWalls {
+  Vectors places;  ///< of the particles [L]
+  FluidColumns columns;
+  CellGrid grid;
+
+  DummyWalls() = default;
+  /// `support` is the kernel's [L].
+  DummyWalls(Vectors particles, const Fluid& fluid, double support);
+
+  [[nodiscard]] Index size() const { return places.rows(); }
+  /// Whether a particle of the wall may be within the support of r: quick, and right for almost all that are
+  /// far from walls.
+  [[nodiscard]] bool near(const Vector& r) const {
+    const double column = (r.x - corner_.x) * inverse_side_, line = (r.y - corner_.y) * inverse_side_;
+    if (!(column >= 0 && line >= 0 && column < columns_ && line < lines_)) return false;
+    return reached_[static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) +
+                static_cast<std::size_t>(column)] != 0;
+  }
+  [[nodiscard]] std::size_t bytes() const { return columns.bytes() + grid.bytes() + reached_.size(); }
+
+ private:
+  Vector corner_{0, 0};
+  double inverse_side_ = 0, columns_ = 0, lines_ = 0;  ///< of square cells of one support
+  std::vector<std::uint8_t> reached_;                      ///< whether a cell is within reach of the wall
+};
+
+/// Where the particles of a tank's floor and side walls stand: a lattice of spacing dx around `inside`, its
+/// first layer half a spacing outside, as many layers as the support needs. The walls rise to `top`.
+Vectors tank_walls(double left, double right, double bottom, double top, double spacing, double support);
+
+}  // namespace clapotis

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+
+#include "common/laws/law.hpp"
+#include "common/simulation/time_step.hpp"
+
+namespace clapotis {
+
+/// Sound travels at most CFL smoothing lengths in a step: dt <= CFL h/(c + |v|), |v| the greatest of all speeds.
+/// Verlet and symplectic Euler are stable up to 1.7 of it (tests/stage4/stability_test.cpp measures 1.74 and
+/// more); explicit Euler and Runge-Kutta 2 have limits of their own, which sink as the run gets longer.
+struct AcousticStep {
+  static constexpr std::string_view name = "acoustic_step";
+  static constexpr bool follows_state = true;
+  double h, sound_speed, cfl;
+
+  static AcousticStep from(Parameters& p) {
+    const auto fluid = Fluid::from(p);
+    return {fluid.h, fluid.state.sound_speed, p.number(cfl_parameter)};
+  }
+  [[nodiscard]] StepLimit limit(const Particles& particles) const {
+    constexpr double stable = 1.7;
+    return {.name = "acoustic",
+            .formula = "1.7 h/(c + |v|)",
+            .limit = stable * h / (sound_speed + greatest_norm(particles.velocity)),
+            .share = cfl / stable};
+  }
+};
+static_assert(Law<AcousticStep> && LimitsStep<AcousticStep> && FollowsState<AcousticStep>);
+
+/// What the greatest force does in a step is small against h: dt <= 0.25 sqrt(h/|a|). Monaghan 1992.
+struct ForceStep {
+  static constexpr std::string_view name = "force_step";
+  static constexpr bool follows_state = true;
+  double h;
+
+  static ForceStep from(Parameters& p) { return {Fluid::from(p).h}; }
+  [[nodiscard]] StepLimit limit(const Particles& particles) const {
+    return {.name = "force",
+            .formula = "sqrt(h/|a|)",
+            .limit = std::sqrt(h / greatest_norm(particles.acceleration)),
+            .share = 0.25,
+            .stability = false};
+  }
+};
+static_assert(Law<ForceStep> && LimitsStep<ForceStep> && FollowsState<ForceStep>);
+
+/// The step of the handout, tau = CFL h/c. Handout, section III.
+struct HandoutStep {
+  static constexpr std::string_view name = "handout_step";
+  double h, sound_speed, cfl;
+
+  static HandoutStep from(Parameters& p) {
+    const auto fluid = Fluid::from(p);
+    return {fluid.h, fluid.state.sound_speed, p.number(cfl_parameter)};
+  }
+  [[nodiscard]] StepLimit limit(const Particles& /*particles*/) const {
+    return {.name = "acoustic", .formula = "h/c", .limit = h / sound_speed, .share = cfl};
+  }
+};
+static_assert(Law<HandoutStep> && LimitsStep<HandoutStep>);
+
+}  // namespace clapotis

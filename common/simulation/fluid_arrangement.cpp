@@ -1,0 +1,102 @@
+#include "common/simulation/fluid_arrangement.hpp"
+
+#include <cmath>
+
+#include "common/neighbours/packs_near.hpp"
+
+namespace clapotis {
+
+void Period::wrap(Vectors& position) const {
+  for (const int axis : {0, 1}) {
+    const double first = axis == 0 ? corner.x : corner.y, side = axis == 0 ? length.x : length.y;
+    if (side > 0) position.col(axis) -= ((position.col(axis) - first) / side).floor() * side;
+  }
+}
+
+/// Along x first, then along y of everything there is by then: corners get theirs.
+void FluidArrangement::add_images(const Vectors& position, int axis) {
+  const double first = axis == 0 ? period_.corner.x : period_.corner.y;
+  const double side = axis == 0 ? period_.length.x : period_.length.y;
+  if (side == 0) return;
+  const Index before = slots();
+  std::vector<Vector> places;
+  for (Index k = 0; k < before; ++k) {
+    const bool image = k >= count_;
+    const Vector r = image || places_.rows() > 0 ? row(places_, k) : row(position, k);
+    const double at = axis == 0 ? r.x : r.y;
+    const auto source = image ? images_[static_cast<std::size_t>(k - count_)] : static_cast<std::int32_t>(k);
+    const auto add = [&](double shift) {
+      places.push_back(axis == 0 ? Vector{r.x + shift, r.y} : Vector{r.x, r.y + shift});
+      images_.push_back(source);
+    };
+    if (at < first + support_) add(side);
+    if (at >= first + side - support_) add(-side);
+  }
+  Vectors all(slots(), 2);
+  all.topRows(before) = places_.rows() > 0 ? places_ : position;
+  for (Index k = before; k < slots(); ++k) {
+    const Vector& r = places[static_cast<std::size_t>(k - before)];
+    all.row(k) << r.x, r.y;
+  }
+  places_ = std::move(all);
+}
+
+void FluidArrangement::build(const Particles& particles, int threads) {
+  constexpr double far_away = 1e100;
+  count_ = particles.size();
+  images_.clear();
+  places_.resize(0, 2);
+  add_images(particles.position, 0);
+  add_images(particles.position, 1);
+  const Vectors& places = images_.empty() ? particles.position : places_;
+  grid.build(places, support_, threads);
+  columns.resize(slots());
+  const auto place = [&](Index slot) { return grid.id(slot); };
+  const auto particle = [&](Index slot) { return id(slot); };
+  FluidColumns::gather(columns.x, slots(), places.col(0).data(), far_away, threads, place);
+  FluidColumns::gather(columns.y, slots(), places.col(1).data(), far_away, threads, place);
+  FluidColumns::gather(columns.vx, slots(), particles.velocity.col(0).data(), 0, threads, particle);
+  FluidColumns::gather(columns.vy, slots(), particles.velocity.col(1).data(), 0, threads, particle);
+}
+
+void FluidArrangement::gather_density(const Column& density, double instead, int threads) {
+  FluidColumns::gather(columns.density, slots(), density.data(), instead, threads,
+                       [&](Index slot) { return id(slot); });
+}
+
+Neighbourhood FluidArrangement::neighbourhood(const Vector& r, Index i) const {
+  Neighbourhood near{
+      .support = support_, .cell = grid.cell(), .origin = grid.origin(), .candidates = {}, .neighbours = {}};
+  grid.candidates(r, [&](Index first, Index last) {
+    for (Index slot = first; slot < last; ++slot) {
+      const Index j = id(slot);
+      if (j == i) continue;
+      near.candidates.push_back(j);
+      if (norm(r - columns.position(slot)) < support_) near.neighbours.push_back(j);
+    }
+  });
+  return near;
+}
+
+PairCount FluidArrangement::count_pairs() const {
+  PairCount count;
+  for (Index slot = 0; slot < slots(); ++slot) {
+    if (is_image(slot)) continue;
+    const Vector r = columns.position(slot);
+    grid.candidates(r, [&](Index first, Index last) { count.candidates += last - first; });
+    packs_near(grid, columns.x.data(), columns.y.data(), r, support_,
+               [&](Run, const Vec<Pack>&, const Pack& r2) {
+                 count.neighbours += popcount(r2 < support_ * support_);
+               });
+    --count.candidates;  // itself
+    --count.neighbours;
+  }
+  return count;
+}
+
+std::size_t FluidArrangement::bytes() const {
+  return grid.bytes() + columns.bytes() + images_.capacity() * sizeof(std::int32_t) +
+         static_cast<std::size_t>(places_.size()) * sizeof(double);
+}
+
+}  // namespace clapotis

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "common/laws/law.hpp"
+#include "common/simulation/model.hpp"
+#include "common/simulation/parallel.hpp"
+#include "common/simulation/system.hpp"
+
+namespace clapotis {
+
+/// The laws of a scene, and what follows from all of them together. A hook that a law lacks generates no code.
+template <class Mass, Law... Laws>
+class LawSet {
+ public:
+  explicit LawSet(Parameters& parameters) : laws_{Laws::from(parameters)...} {}
+  void refresh(Parameters& parameters) { laws_ = {Laws::from(parameters)...}; }
+
+  template <class L>
+  [[nodiscard]] const L& get() const {
+    return std::get<L>(laws_);
+  }
+  template <class Act>
+  void each(const Act& act) const {
+    std::apply([&](const auto&... law) { (act(law), ...); }, laws_);
+  }
+  template <class Term>
+  double sum(const Term& term) const {
+    return std::apply([&](const auto&... law) { return (term(law) + ... + 0.0); }, laws_);
+  }
+
+  /// Acceleration of particle i by the laws `Some` that act on one particle.
+  template <class... Some>
+  [[nodiscard]] Vector body(const auto& p, Index i, double t) const {
+    Vector total{0, 0};
+    const auto add = [&](const auto& law) {
+      if constexpr (requires { law.body(p, i, t); }) total += law.body(p, i, t);
+    };
+    (add(get<Some>()), ...);
+    return total;
+  }
+  /// Power that the laws on one particle take out of the motion of all.
+  [[nodiscard]] double dissipation(const Particles& particles, int threads) const {
+    if constexpr (!(Dissipates<Laws> || ...)) {
+      return 0;
+    } else {
+      const auto p = view_of<Mass>(particles);
+      return sum_over(particles.size(), threads, [&](Index i, std::size_t) {
+        return sum([&](const auto& law) {
+          if constexpr (requires { law.dissipation(p, i); })
+            return law.dissipation(p, i);
+          else
+            return 0.0;
+        });
+      });
+    }
+  }
+  [[nodiscard]] double potential(const Particles& particles, int threads) const {
+    const auto p = view_of<Mass>(particles);
+    return sum_over(particles.size(), threads, [&](Index i, std::size_t) {
+      return sum([&](const auto& law) {
+        if constexpr (requires { law.potential(p, i); })
+          return law.potential(p, i);
+        else
+          return 0.0;
+      });
+    });
+  }
+  void settle(System& s, double dt) {
+    const auto settle_one = [&](auto& law) {
+      if constexpr (requires { law.settle(s, dt); }) law.settle(s, dt);
+    };
+    std::apply([&](auto&... law) { (settle_one(law), ...); }, laws_);
+  }
+  [[nodiscard]] std::vector<StepLimit> limits(const Particles& particles) const {
+    std::vector<StepLimit> all;
+    each([&](const auto& law) {
+      if constexpr (requires { law.limit(particles); }) all.push_back(law.limit(particles));
+    });
+    return all;
+  }
+  [[nodiscard]] static std::vector<std::string> names() { return {std::string(Laws::name)...}; }
+  [[nodiscard]] std::optional<Walls> walls() const {
+    std::optional<Walls> found;
+    each([&](const auto& law) {
+      if constexpr (requires { law.walls; }) found = law.walls;
+    });
+    return found;
+  }
+
+ private:
+  std::tuple<Laws...> laws_;
+};
+
+}  // namespace clapotis

@@ -1,0 +1,96 @@
+#include "stage4_sph/liquid.hpp"
+
+#include <cmath>
+
+#include "common/kernels/cubic_spline.hpp"
+#include "common/kernels/lattice.hpp"
+#include "common/kernels/wendland_c2.hpp"
+#include "common/references/hydrostatic.hpp"
+#include "common/simulation/errors.hpp"
+#include "stage4_sph/parameters.hpp"
+
+namespace clapotis::stage4 {
+namespace {
+
+/// dx^2 sum W on the lattice.
+double lattice_sum(const Parameters& p, double h, double spacing) {
+  return p.value("kernel") == 0 ? lattice_sums(CubicSpline(h), spacing).value
+                                : lattice_sums(WendlandC2(h), spacing).value;
+}
+
+}  // namespace
+
+Fluid liquid(Parameters& p, double fastest) {
+  p.choice(formulation);
+  const double spacing = p.number(particle_spacing), h = spacing * p.number(h_over_dx);
+  p.choice(kernel_choice);
+  const bool sums = p.choice(density_form) == "summation";
+  const double reference = p.number(reference_density);
+  auto c = sound_speed;
+  c.value = 10 * fastest;
+  p.number(c);
+  p.number(polytropic_exponent);
+  p.choice(bears_tension);
+  p.derive(smoothing_length, h);
+  const double mass = reference * spacing * spacing;
+  p.derive(particle_mass, sums ? mass / lattice_sum(p, h, spacing) : mass);
+  return Fluid::from(p);
+}
+
+Tank tank(Parameters& p, const Fluid& fluid) {
+  const double width = p.number(tank_width), height = p.number(tank_height);
+  const double support = 2 * fluid.h;
+  if (p.choice(wall_form) == "reflect") return {width, height, {}};
+  return {width, height, DummyWalls(tank_walls(0, width, 0, height, fluid.spacing, support), fluid, support)};
+}
+
+Particles particles_at(const Vectors& places, const Parameters& p) {
+  Particles particles(places.rows(), p.value("particle_mass"));
+  particles.kind = "fluid";
+  particles.position = places;
+  particles.density = Column::Constant(places.rows(), p.value("reference_density"));
+  particles.pressure = Column::Zero(places.rows());
+  if (p.find("density")->text() == "continuity") particles.density_rate = Column::Zero(places.rows());
+  return particles;
+}
+
+Vectors lattice(double spacing, const Vector& origin, const Vector& low, const Vector& high,
+                const std::function<bool(Vector)>& inside) {
+  const auto first = [&](double from, double at) { return std::ceil((from - at) / spacing - 1e-9); };
+  const auto last = [&](double to, double at) { return std::floor((to - at) / spacing + 1e-9); };
+  std::vector<Vector> all;
+  for (double b = first(low.y, origin.y); b <= last(high.y, origin.y); ++b)
+    for (double a = first(low.x, origin.x); a <= last(high.x, origin.x); ++a) {
+      const Vector r{origin.x + a * spacing, origin.y + b * spacing};
+      if (inside(r)) all.push_back(r);
+    }
+  Vectors places(static_cast<Index>(all.size()), 2);
+  for (Index i = 0; i < places.rows(); ++i) {
+    const auto& r = all[static_cast<std::size_t>(i)];
+    places.row(i) << r.x, r.y;
+  }
+  return places;
+}
+
+Vectors disc(double spacing, const Vector& centre, double radius) {
+  const Vector reach{radius, radius};
+  return lattice(spacing, centre, centre - reach, centre + reach,
+                 [&](Vector r) { return norm(r - centre) <= radius * (1 + 1e-9); });
+}
+
+Vectors block(double spacing, double left, double right, double bottom, double top) {
+  const double half = spacing / 2;
+  return lattice(spacing, {left + half, bottom + half}, {left + half, bottom + half},
+                 {right - half, top - half}, [](Vector) { return true; });
+}
+
+void rest_under_weight(Particles& particles, const Parameters& p, double surface) {
+  const HydrostaticColumn column{.surface_density = p.value("reference_density"),
+                                 .sound_speed = p.value("sound_speed"),
+                                 .gamma = p.value("gamma"),
+                                 .gravity = p.value("gravity")};
+  for (Index i = 0; i < particles.size(); ++i)
+    particles.density(i) = column.density(surface - particles.position(i, 1));
+}
+
+}  // namespace clapotis::stage4

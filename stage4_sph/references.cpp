@@ -1,0 +1,86 @@
+#include "stage4_sph/references.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "common/references/dam_break_front.hpp"
+#include "common/references/elliptical_drop.hpp"
+#include "common/references/hydrostatic.hpp"
+#include "common/simulation/errors.hpp"
+#include "common/words.hpp"
+#include "stage4_sph/parameters.hpp"
+
+namespace clapotis::stage4 {
+
+Reference dam_break_experiment(double a, double gravity) {
+  return {.name = std::string(koshizuka_oka_1996.name),
+          .measure = "|front - experiment|/a",
+          .unit = "",
+          .source = std::string(koshizuka_oka_1996.source),
+          .error =
+              [=](const System& s) {
+                const double front = s.position.col(0).maxCoeff();
+                return std::abs(front / a - koshizuka_oka_1996.front(s.time * std::sqrt(2 * gravity / a)));
+              },
+          .positions = {}};
+}
+
+Reference hydrostatic_pressure(const Fluid& fluid, double gravity, double depth) {
+  const HydrostaticColumn exact{.surface_density = fluid.state.reference_density,
+                                .sound_speed = fluid.state.sound_speed,
+                                .gamma = fluid.state.gamma,
+                                .gravity = gravity};
+  return {.name = "hydrostatic",
+          .measure = "L2(p - p_exact)/L2(p_exact)",
+          .unit = "",
+          .source = "balance of weight and pressure of a liquid with the Cole equation",
+          .error =
+              [=](const System& s) {
+                double wrong = 0, right = 0;
+                for (Index i = 0; i < s.particles.size(); ++i) {
+                  const double p = exact.pressure(depth - s.position(i, 1));
+                  wrong += (s.particles.pressure(i) - p) * (s.particles.pressure(i) - p);
+                  right += p * p;
+                }
+                return std::sqrt(wrong / right);
+              },
+          .positions = {}};
+}
+
+Reference ellipse(const Fluid& fluid, double radius, double strain_rate) {
+  const EllipticalDrop exact{
+      .radius = radius, .strain_rate = strain_rate, .density = fluid.state.reference_density};
+  return {.name = "exact ellipse",
+          .measure = "|b - b_exact|/b_exact",
+          .unit = "",
+          .source = "Monaghan 1994, J. Comput. Phys. 110: 399-406",
+          .error =
+              [=](const System& s) {
+                const double stretch = s.position.col(1).abs().maxCoeff() / radius;
+                return std::abs(stretch * radius / exact.at(s.time).semi_axis_y - 1);
+              },
+          .positions =
+              [=](double t) {
+                constexpr Index points = 180;
+                const auto shape = exact.at(t);
+                Vectors outline(points, 2);
+                for (Index k = 0; k < points; ++k) {
+                  const double angle = 2 * std::numbers::pi * static_cast<double>(k) / points;
+                  outline.row(k) << shape.semi_axis_x * std::cos(angle), shape.semi_axis_y * std::sin(angle);
+                }
+                return outline;
+              }};
+}
+
+void require_inside_tank(Parameters& p, const Tank& tank, const std::vector<Parameter>& sides) {
+  for (const auto& side : sides) {
+    const bool across = side.symbol == "a";
+    const double most = across ? tank.width : tank.height, value = p.number(side);
+    if (value > most)
+      throw BadInput(say(words().outside_box, fmt::arg("name", side.name), fmt::arg("value", to_text(value)),
+                         fmt::arg("low", "0"), fmt::arg("high", to_text(most)),
+                         fmt::arg("unit", p.length_unit())));
+  }
+}
+
+}  // namespace clapotis::stage4
