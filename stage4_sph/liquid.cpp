@@ -5,7 +5,6 @@
 #include "common/kernels/cubic_spline.hpp"
 #include "common/kernels/lattice.hpp"
 #include "common/kernels/wendland_c2.hpp"
-#include "common/references/hydrostatic.hpp"
 #include "common/simulation/errors.hpp"
 #include "stage4_sph/parameters.hpp"
 
@@ -74,7 +73,7 @@ Vectors lattice(double spacing, const Vector& origin, const Vector& low, const V
 
 Vectors disc(double spacing, const Vector& centre, double radius) {
   const Vector reach{radius, radius};
-  return lattice(spacing, centre, centre - reach, centre + reach,
+  return lattice(spacing, centre + Vector{spacing / 2, spacing / 2}, centre - reach, centre + reach,
                  [&](Vector r) { return norm(r - centre) <= radius * (1 + 1e-9); });
 }
 
@@ -84,13 +83,21 @@ Vectors block(double spacing, double left, double right, double bottom, double t
                  {right - half, top - half}, [](Vector) { return true; });
 }
 
-void rest_under_weight(Particles& particles, const Parameters& p, double surface) {
-  const HydrostaticColumn column{.surface_density = p.value("reference_density"),
-                                 .sound_speed = p.value("sound_speed"),
-                                 .gamma = p.value("gamma"),
-                                 .gravity = p.value("gravity")};
-  for (Index i = 0; i < particles.size(); ++i)
-    particles.density(i) = column.density(surface - particles.position(i, 1));
+HydrostaticColumn at_rest(const Parameters& p) {
+  return {.surface_density = p.value("reference_density"),
+          .sound_speed = p.value("sound_speed"),
+          .gamma = p.value("gamma"),
+          .gravity = p.value("gravity")};
+}
+
+void rest_under_weight(Particles& particles, const Parameters& p, double height) {
+  const auto column = at_rest(p);
+  const double surface = column.compressed(height);
+  for (Index i = 0; i < particles.size(); ++i) {
+    const double depth = column.compressed(height - particles.position(i, 1));
+    particles.position(i, 1) = surface - depth;
+    particles.density(i) = column.density(depth);
+  }
 }
 
 }  // namespace clapotis::stage4

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/laws/dummy_walls.hpp"
+#include "common/references/hydrostatic.hpp"
 #include "common/simulation/fluid_arrangement.hpp"
 #include "common/simulation/scene.hpp"
 
@@ -35,7 +36,11 @@ Vectors disc(double spacing, const Vector& centre, double radius);
 /// Those of a rectangle, half a spacing inside its sides.
 Vectors block(double spacing, double left, double right, double bottom, double top);
 
-/// Gives each particle the density that balances the weight of the liquid above it, up to `surface`.
-void rest_under_weight(Particles& particles, const Parameters& p, double surface);
+/// Presses the particles, of a lattice from the floor at y = 0 up to `height`, together as the weight of the
+/// liquid does: each gets the density that balances the weight above it, and the place that goes with it.
+void rest_under_weight(Particles& particles, const Parameters& p, double height);
+
+/// That liquid at rest, the depth measured from its surface, which is at compressed(height).
+HydrostaticColumn at_rest(const Parameters& p);
 
 }  // namespace clapotis::stage4

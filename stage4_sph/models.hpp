@@ -19,12 +19,11 @@ std::unique_ptr<Model> liquid_model(Parameters& p, DummyWalls walls, const Perio
   const auto form = sums ? DensityForm::summation : DensityForm::continuity;
   const auto make = [&]<class... Viscosity>(std::type_identity<Viscosity>...) -> std::unique_ptr<Model> {
     if (sums)
-      return std::make_unique<
-          FluidModel<Kernel, More..., SummationPressureForce, ArtificialViscosity, Viscosity..., AcousticStep, ForceStep>>(
-          p, form, std::move(walls), period);
-    return std::make_unique<
-        FluidModel<Kernel, More..., PressureForce, ArtificialViscosity, Viscosity..., AcousticStep, ForceStep>>(
-        p, form, std::move(walls), period);
+      return std::make_unique<FluidModel<Kernel, More..., SummationPressureForce, ArtificialViscosity,
+                                         Viscosity..., AcousticStep, ForceStep>>(p, form, std::move(walls),
+                                                                                 period);
+    return std::make_unique<FluidModel<Kernel, More..., PressureForce, ArtificialViscosity, Viscosity...,
+                                       AcousticStep, ForceStep>>(p, form, std::move(walls), period);
   };
   if (p.number(kinematic_viscosity) > 0) return make(std::type_identity<LaminarViscosity>{});
   return make();

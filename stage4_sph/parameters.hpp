@@ -17,7 +17,11 @@ inline Parameter number(std::string name, std::string symbol, std::string unit, 
           .change = Change::restart};
 }
 inline Parameter choice(std::string name, std::vector<std::string> choices) {
-  return {.name = std::move(name), .unit = "", .change = Change::restart, .choices = std::move(choices)};
+  return {.name = std::move(name),
+          .symbol = "",
+          .unit = "",
+          .change = Change::restart,
+          .choices = std::move(choices)};
 }
 }  // namespace detail
 

@@ -9,7 +9,7 @@ namespace clapotis::stage4 {
 Reference dam_break_experiment(double a, double gravity);
 
 /// L2 norm of the error of pressure over that of the exact pressure of a column at rest.
-Reference hydrostatic_pressure(const Fluid& fluid, double gravity, double depth);
+Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height);
 
 /// Semi-axis along y, from the outermost particle, over the exact one.
 Reference ellipse(const Fluid& fluid, double radius, double strain_rate);

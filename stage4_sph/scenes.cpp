@@ -44,14 +44,14 @@ Setup still_water(Parameters& p) {
               .model = tank_model(p, std::move(tank.walls)),
               .radius = fluid.spacing / 2,
               .view = {0, tank.width, 0, tank.height},
-              .reference = hydrostatic_pressure(fluid, g, height),
+              .reference = hydrostatic_pressure(at_rest(p), height),
               .fluid = fluid};
   rest_under_weight(setup.particles, p, height);
   return setup;
 }
 
-/// A round drop whose two halves fly apart along y, without weight: it becomes an ever longer ellipse. Monaghan
-/// 1994.
+/// A round drop whose two halves fly apart along y, without weight: it becomes an ever longer ellipse.
+/// Monaghan 1994.
 Setup elliptical_drop(Parameters& p) {
   const double radius = p.number(drop_radius), rate = p.number(strain_rate);
   const Fluid fluid = liquid(p, 1.4 * rate * radius);
@@ -61,6 +61,11 @@ Setup elliptical_drop(Parameters& p) {
               .view = {-1.6 * radius, 1.6 * radius, -2.2 * radius, 2.2 * radius},
               .reference = ellipse(fluid, radius, rate),
               .fluid = fluid};
+  const auto exact =
+      EllipticalDrop{.radius = radius, .strain_rate = rate, .density = fluid.state.reference_density}.at(0);
+  for (Index i = 0; i < setup.particles.size(); ++i)
+    setup.particles.density(i) =
+        fluid.state.density(exact.pressure(setup.particles.position(i, 0), setup.particles.position(i, 1)));
   setup.particles.velocity.col(0) = -rate * setup.particles.position.col(0);
   setup.particles.velocity.col(1) = rate * setup.particles.position.col(1);
   return setup;
@@ -84,13 +89,14 @@ Setup drop_impact(Parameters& p) {
               .view = {0, tank.width, 0, tank.height},
               .fluid = fluid};
   rest_under_weight(setup.particles, p, height);
+  setup.particles.position.bottomRows(drop.rows()) = drop;
   setup.particles.density.tail(drop.rows()) = fluid.state.reference_density;
   setup.particles.velocity.col(1).tail(drop.rows()) = -speed;
   return setup;
 }
 
-/// A square of liquid that turns like a rigid body and has no pressure at first: its corners fly out while its
-/// middle is under tension. Colagrossi 2005.
+/// A square of liquid that turns like a rigid body and has no pressure at first: its corners fly out while
+/// its middle is under tension. Colagrossi 2005.
 Setup square_patch(Parameters& p) {
   const double side = p.number(patch_side), omega = p.number(angular_speed);
   const Fluid fluid = liquid(p, omega * side / std::sqrt(2));
@@ -124,45 +130,50 @@ Setup acoustic(Parameters& p) {
 }  // namespace
 
 Stage stage() {
-  const Defaults tank{{"kernel", "wendland_c2"}, {"h_over_dx", "1.5"}};
-  return {
-      .name = "stage4_sph",
-      .title = "Stage 4 - SPH",
-      .scenes = {
-          {.name = "dam_break", .length_unit = "m", .defaults = {{"kernel", "wendland_c2"}}, .build = dam_break},
-          {.name = "still_water",
-           .length_unit = "m",
-           .defaults = {{"kernel", "wendland_c2"}, {"tank_width", "1"}, {"tank_height", "1.5"}, {"spacing", "0.02"}},
-           .build = still_water},
-          {.name = "elliptical_drop",
-           .length_unit = "m",
-           .defaults = {{"kernel", "wendland_c2"}, {"density", "summation"}, {"spacing", "0.05"}},
-           .build = elliptical_drop},
-          {.name = "drop_impact",
-           .length_unit = "m",
-           .defaults = {{"kernel", "wendland_c2"},
-                        {"tank_width", "2"},
-                        {"tank_height", "1.5"},
-                        {"depth", "0.5"},
-                        {"radius", "0.15"},
-                        {"spacing", "0.02"}},
-           .build = drop_impact},
-          {.name = "square_patch",
-           .length_unit = "m",
-           .defaults = {{"kernel", "wendland_c2"}, {"tension", "yes"}, {"spacing", "0.02"}},
-           .build = square_patch},
-          {.name = "acoustic",
-           .length_unit = "m",
-           .defaults = {{"kernel", "cubic_spline"},
-                        {"h_over_dx", "1.3"},
-                        {"density", "summation"},
-                        {"tension", "yes"},
-                        {"side", "12"},
-                        {"spacing", "1"},
-                        {"reference_density", "1"},
-                        {"alpha", "0.1"}},
-           .build = acoustic},
-          {.name = "handout", .length_unit = "px", .defaults = {{"gravity", "500"}}, .build = handout}}};
+  return {.name = "stage4_sph",
+          .title = "Stage 4 - SPH",
+          .scenes = {
+              {.name = "dam_break",
+               .length_unit = "m",
+               .defaults = {{"kernel", "wendland_c2"}},
+               .build = dam_break},
+              {.name = "still_water",
+               .length_unit = "m",
+               .defaults = {{"kernel", "wendland_c2"},
+                            {"h_over_dx", "2"},
+                            {"tank_width", "1"},
+                            {"tank_height", "1.5"},
+                            {"spacing", "0.02"}},
+               .build = still_water},
+              {.name = "elliptical_drop",
+               .length_unit = "m",
+               .defaults = {{"density", "summation"}, {"spacing", "0.05"}, {"alpha", "0.008"}},
+               .build = elliptical_drop},
+              {.name = "drop_impact",
+               .length_unit = "m",
+               .defaults = {{"kernel", "wendland_c2"},
+                            {"tank_width", "2"},
+                            {"tank_height", "1.5"},
+                            {"depth", "0.5"},
+                            {"radius", "0.15"},
+                            {"spacing", "0.02"}},
+               .build = drop_impact},
+              {.name = "square_patch",
+               .length_unit = "m",
+               .defaults = {{"kernel", "wendland_c2"}, {"tension", "yes"}, {"spacing", "0.02"}},
+               .build = square_patch},
+              {.name = "acoustic",
+               .length_unit = "m",
+               .defaults = {{"kernel", "cubic_spline"},
+                            {"h_over_dx", "1.3"},
+                            {"density", "summation"},
+                            {"tension", "yes"},
+                            {"side", "12"},
+                            {"spacing", "1"},
+                            {"reference_density", "1"},
+                            {"alpha", "0.1"}},
+               .build = acoustic},
+              {.name = "handout", .length_unit = "px", .defaults = {{"gravity", "500"}}, .build = handout}}};
 }
 
 }  // namespace clapotis::stage4

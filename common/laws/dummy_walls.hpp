@@ -27,14 +27,14 @@ struct DummyWalls {
     const double column = (r.x - corner_.x) * inverse_side_, line = (r.y - corner_.y) * inverse_side_;
     if (!(column >= 0 && line >= 0 && column < columns_ && line < lines_)) return false;
     return reached_[static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) +
-                static_cast<std::size_t>(column)] != 0;
+                    static_cast<std::size_t>(column)] != 0;
   }
   [[nodiscard]] std::size_t bytes() const { return columns.bytes() + grid.bytes() + reached_.size(); }
 
  private:
   Vector corner_{0, 0};
   double inverse_side_ = 0, columns_ = 0, lines_ = 0;  ///< of square cells of one support
-  std::vector<std::uint8_t> reached_;                      ///< whether a cell is within reach of the wall
+  std::vector<std::uint8_t> reached_;                  ///< whether a cell is within reach of the wall
 };
 
 /// Where the particles of a tank's floor and side walls stand: a lattice of spacing dx around `inside`, its

@@ -43,10 +43,10 @@ struct Fluid {
 /// A particle of a fluid as a law sees it: one number, or a pack for as many particles.
 template <class T>
 struct FluidParticle {
-  Vec<T> velocity;     ///< [L/s]
-  T density;           ///< rho [kg/L^3]
-  T volume;            ///< V = m/rho, per unit of depth [L^2]
-  T pressure;          ///< [kg/(L s^2)]
+  Vec<T> velocity;  ///< [L/s]
+  T density;        ///< rho [kg/L^3]
+  T volume;         ///< V = m/rho, per unit of depth [L^2]
+  T pressure;       ///< [kg/(L s^2)]
 };
 
 /// Particle i and the particles j of a pack, nearer than the support.

@@ -4,8 +4,8 @@
 
 namespace clapotis {
 
-/// +1 where the unit vector of section VI points from j to i, as its formulas need; -1 where it points from i to j,
-/// as section IV defines it and section VI does not take back. Erratum 3 and 4 of this project's list.
+/// +1 where the unit vector of section VI points from j to i, as its formulas need; -1 where it points from i
+/// to j, as section IV defines it and section VI does not take back. Erratum 3 and 4 of this project's list.
 inline double orientation(Parameters& p) {
   const auto signs = p.choice({.name = "signs",
                                .symbol = "",
@@ -49,8 +49,8 @@ struct PrintedViscosity {
 };
 static_assert(Law<PrintedViscosity> && ActsByStress<PrintedViscosity>);
 
-/// The same as Monaghan 1992 has it: a_i = sum_j m_j alpha c mu/rho_mean grad W, mu = h v_ij.d/(r^2 + 0.01 h^2)
-/// where v_ij.d < 0.
+/// The same as Monaghan 1992 has it: a_i = sum_j m_j alpha c mu/rho_mean grad W, mu = h v_ij.d/(r^2 + 0.01
+/// h^2) where v_ij.d < 0.
 struct MonaghanViscosity {
   static constexpr std::string_view name = "viscosity";
   static constexpr bool dissipates = true;

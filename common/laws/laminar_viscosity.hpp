@@ -5,9 +5,9 @@
 
 namespace clapotis {
 
-/// Viscosity of a Newtonian liquid: f_i = V_i sum_j V_j 2 rho_0 nu W'/r v_ij, which tends to m nu lap v. Morris,
-/// Fox & Zhu 1997. At a wall that lets nothing slip the wall's particles carry the mirrored velocity (Adami, Hu
-/// & Adams 2012); at one that lets all slip there is no friction.
+/// Viscosity of a Newtonian liquid: f_i = V_i sum_j V_j 2 rho_0 nu W'/r v_ij, which tends to m nu lap v.
+/// Morris, Fox & Zhu 1997. At a wall that lets nothing slip the wall's particles carry the mirrored velocity
+/// (Adami, Hu & Adams 2012); at one that lets all slip there is no friction.
 struct LaminarViscosity {
   static constexpr std::string_view name = "laminar_viscosity";
   static constexpr bool dissipates = true;
@@ -18,13 +18,17 @@ struct LaminarViscosity {
 
   static LaminarViscosity from(Parameters& p) {
     const auto fluid = Fluid::from(p);
-    const double nu = p.number({.name = "nu", .symbol = "nu", .unit = "L^2/s", .value = 0, .range = not_negative});
-    const bool slips = p.choice({.name = "slip", .symbol = "", .unit = "", .choices = {"free", "no"}}) == "free";
+    const double nu =
+        p.number({.name = "nu", .symbol = "nu", .unit = "L^2/s", .value = 0, .range = not_negative});
+    const bool slips =
+        p.choice({.name = "slip", .symbol = "", .unit = "", .choices = {"free", "no"}}) == "free";
     const double viscosity = 2 * fluid.state.reference_density * nu;
     return {nu, viscosity, slips ? 0 : viscosity, fluid.h};
   }
   auto friction(const auto& /*i*/, const auto& /*j*/, const Meeting& /*ij*/) const { return Pack(viscosity); }
-  auto wall_friction(const auto& /*i*/, const auto& /*j*/, const Meeting& /*ij*/) const { return Pack(at_walls); }
+  auto wall_friction(const auto& /*i*/, const auto& /*j*/, const Meeting& /*ij*/) const {
+    return Pack(at_walls);
+  }
 
   [[nodiscard]] StepLimit limit(const Particles& /*particles*/) const {
     return {.name = "viscous", .formula = "0.25 h^2/nu", .limit = 0.25 * h * h / nu, .share = 0.5};

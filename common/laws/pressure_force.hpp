@@ -4,14 +4,16 @@
 
 namespace clapotis {
 
-/// Pressure force that goes with the equation of continuity: f_i = -V_i sum_j V_j (p_i + p_j) grad W. What the
-/// particles lose in speed is what their compression stores, to the last digit. Bonet & Lok 1999; Colagrossi
-/// & Landrini 2003.
+/// Pressure force that goes with the equation of continuity: f_i = -V_i sum_j V_j (p_i + p_j) grad W. What
+/// the particles lose in speed is what their compression stores, to the last digit. Bonet & Lok 1999;
+/// Colagrossi & Landrini 2003.
 struct PressureForce {
   static constexpr std::string_view name = "pressure";
   static PressureForce from(Parameters& /*p*/) { return {}; }
 
-  auto stress(const auto& i, const auto& j, const Meeting& /*ij*/) const { return -(i.pressure + j.pressure); }
+  auto stress(const auto& i, const auto& j, const Meeting& /*ij*/) const {
+    return -(i.pressure + j.pressure);
+  }
   auto wall_stress(const auto& i, const auto& j, const Meeting& ij) const { return stress(i, j, ij); }
 };
 static_assert(Law<PressureForce> && ActsByStress<PressureForce> && StressesWalls<PressureForce>);

@@ -7,9 +7,10 @@
 
 namespace clapotis {
 
-/// Sound travels at most CFL smoothing lengths in a step: dt <= CFL h/(c + |v|), |v| the greatest of all speeds.
-/// Verlet and symplectic Euler are stable up to 1.7 of it (tests/stage4/stability_test.cpp measures 1.74 and
-/// more); explicit Euler and Runge-Kutta 2 have limits of their own, which sink as the run gets longer.
+/// Sound travels at most CFL smoothing lengths in a step: dt <= CFL h/(c + |v|), |v| the greatest of all
+/// speeds. Verlet and symplectic Euler are stable up to 1.7 of it (tests/stage4/stability_test.cpp
+/// measures 1.74 and more); explicit Euler and Runge-Kutta 2 have limits of their own, which sink as the run
+/// gets longer.
 struct AcousticStep {
   static constexpr std::string_view name = "acoustic_step";
   static constexpr bool follows_state = true;

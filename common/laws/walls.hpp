@@ -67,9 +67,9 @@ struct SupportingWalls {
 };
 static_assert(Law<SupportingWalls> && Settles<SupportingWalls>);
 
-/// The floor and the side walls of a tank without a lid. Where its walls are made of particles (DummyWalls) these
-/// planes, at the walls' faces, are only the last net for what has passed between them; where they are not, the
-/// discs of radius dx/2 are reflected at them.
+/// The floor and the side walls of a tank without a lid. Where its walls are made of particles (DummyWalls)
+/// these planes, at the walls' faces, are only the last net for what has passed between them; where they are
+/// not, the discs of radius dx/2 are reflected at them.
 struct TankWalls {
   static constexpr std::string_view name = "walls";
   Walls walls;

@@ -7,8 +7,8 @@
 
 namespace clapotis {
 
-/// Neighbours through a table of cells, at least one support tall: O(n). The particles are put in the order of
-/// their cells, row after row (counting sort), so that those near a particle stand in three contiguous
+/// Neighbours through a table of cells, at least one support tall: O(n). The particles are put in the order
+/// of their cells, row after row (counting sort), so that those near a particle stand in three contiguous
 /// ranges, one per row of cells. No cell has a fixed size: all particles may share one.
 ///
 /// Square cells are what the course shows: a particle's own and the eight around it. Cut into `slices` along
@@ -37,7 +37,7 @@ class CellGrid {
   }
 
   [[nodiscard]] Vector cell() const { return {width_, height_}; }  ///< sides of a cell [L]
-  [[nodiscard]] Vector origin() const { return origin_; }  ///< lower left corner [L]
+  [[nodiscard]] Vector origin() const { return origin_; }          ///< lower left corner [L]
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -12,8 +12,8 @@ namespace clapotis {
 inline constexpr double one_point = 1e-280;
 
 /// Calls meet(j, d, r2) for all packs of particles j that may be within the support of a particle at r, with
-/// d = r - r_j and r2 = d^2, where x and y are the positions in the order of the grid. Lanes behind the end of
-/// a range are put at r2 = 4 support^2, where every kernel is zero; so is it at any r2 beyond the support.
+/// d = r - r_j and r2 = d^2, where x and y are the positions in the order of the grid. Lanes behind the end
+/// of a range are put at r2 = 4 support^2, where every kernel is zero; so is it at any r2 beyond the support.
 /// r2 is never below `one_point`, so that 1/r is a number.
 ///
 /// The packs are listed first and met then: one loop of five or six rounds per particle is predicted better

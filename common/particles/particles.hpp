@@ -43,7 +43,7 @@ struct Particles {
   Column pressure;       ///< p of that density at the last evaluation [kg/(L s^2)]; empty without a fluid
   double uniform_mass = 1;
   std::string_view kind = "disc";  ///< what they are, for files: disc, fluid
-  std::deque<NamedColumn> extra;  ///< a deque: columns stay where they are when others are added
+  std::deque<NamedColumn> extra;   ///< a deque: columns stay where they are when others are added
 
   [[nodiscard]] Index size() const { return position.rows(); }
   [[nodiscard]] double mass(Index i) const {

@@ -41,4 +41,12 @@ double HydrostaticColumn::density(double depth) const {
   return surface_density * std::exp(log_compression(*this, depth));
 }
 
+double HydrostaticColumn::compressed(double height) const {
+  check(*this, height);
+  if (gravity == 0) return height;
+  const double length = sound_speed * sound_speed / gravity, excess = gamma - 1;
+  const double log_compression = std::log1p(gamma * std::max(height, 0.0) / length) / gamma;
+  return length * (excess == 0 ? log_compression : std::expm1(excess * log_compression) / excess);
+}
+
 }  // namespace clapotis

@@ -11,7 +11,7 @@ namespace clapotis {
 /// digit is lost, also close to gamma = 1 and for large c. Any consistent units. Cole 1948, Underwater
 /// Explosions, for the equation of state; Monaghan 1994, J. Comput. Phys. 110, for its use in SPH.
 ///
-/// Both functions throw std::invalid_argument if a parameter is out of the range given here, or the depth is
+/// All functions throw std::invalid_argument if a parameter is out of the range given here, or the depth is
 /// not finite.
 struct HydrostaticColumn {
   double surface_density;  ///< rho0 [kg/m^3], > 0
@@ -22,6 +22,9 @@ struct HydrostaticColumn {
   /// At depth z [m]. Above the surface (z < 0) there is no liquid: p = 0 and rho = rho0, as on it.
   double pressure(double depth) const;  ///< [Pa]
   double density(double depth) const;   ///< [kg/m^3]
+  /// What depth [m] a column of liquid of rho0 and the given height [m] is pressed together to by its own
+  /// weight.
+  double compressed(double height) const;
 };
 
 }  // namespace clapotis

@@ -30,7 +30,8 @@ int repetitions(const Simulation& s) {
 
 Json cost_json(Simulation& s, bool is_over) {
   const auto& c = s.cost();
-  Json phases{{"neighbours", c.neighbours}, {"forces", c.forces}, {"integration", c.integration}, {"walls", c.walls}};
+  Json phases{
+      {"neighbours", c.neighbours}, {"forces", c.forces}, {"integration", c.integration}, {"walls", c.walls}};
   if (s.setup().fluid) phases["density"] = c.density;
   Json laws = Json::object();
   if (is_over) {

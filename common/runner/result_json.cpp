@@ -5,10 +5,13 @@ namespace clapotis {
 using Json = nlohmann::ordered_json;
 
 Json energy_json(const Energy& e) {
-  return {{"kinetic", or_null(e.kinetic)},       {"potential", or_null(e.potential)},
-          {"elastic", or_null(e.elastic)},       {"internal", or_null(e.internal)},
+  return {{"kinetic", or_null(e.kinetic)},
+          {"potential", or_null(e.potential)},
+          {"elastic", or_null(e.elastic)},
+          {"internal", or_null(e.internal)},
           {"mechanical", or_null(e.mechanical())},
-          {"dissipated", or_null(e.dissipated)}, {"total", or_null(e.total())}};
+          {"dissipated", or_null(e.dissipated)},
+          {"total", or_null(e.total())}};
 }
 
 Json reference_json(const Simulation& simulation, double largest_error) {

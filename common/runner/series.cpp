@@ -31,7 +31,8 @@ constexpr std::array all_columns{
                  always},
     SeriesColumn{"elastic_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.elastic; },
                  has_springs},
-    SeriesColumn{"internal_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.internal; }, is_fluid},
+    SeriesColumn{"internal_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.internal; },
+                 is_fluid},
     SeriesColumn{"mechanical_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.mechanical(); },
                  always},
     SeriesColumn{"dissipated_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.dissipated; },
@@ -46,12 +47,14 @@ constexpr std::array all_columns{
     SeriesColumn{"centre_y", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).y; },
                  always},
     SeriesColumn{"front_x", "L",
-                 [](const Moment& m) { return m.simulation.particles().position.col(0).maxCoeff(); }, has_front},
+                 [](const Moment& m) { return m.simulation.particles().position.col(0).maxCoeff(); },
+                 has_front},
     SeriesColumn{"max_speed", "L/s", [](const Moment& m) { return max_speed(m.simulation.particles()); },
                  always},
-    SeriesColumn{"density_error", "1",
-                 [](const Moment& m) { return density_error(m.simulation.particles(), *m.simulation.setup().fluid); },
-                 is_fluid},
+    SeriesColumn{
+        "density_error", "1",
+        [](const Moment& m) { return density_error(m.simulation.particles(), *m.simulation.setup().fluid); },
+        is_fluid},
     SeriesColumn{"cfl", "1",
                  [](const Moment& m) {
                    return m.simulation.dt() * m.simulation.sound_speed() / m.simulation.smoothing_length();

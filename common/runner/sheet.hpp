@@ -8,7 +8,8 @@
 
 namespace clapotis {
 
-/// A whole sheet, as large as the canvas: the picture and its plots, below it or beside it, where the scene is larger.
+/// A whole sheet, as large as the canvas: the picture and its plots, below it or beside it, where the scene
+/// is larger.
 void paint_sheet(Canvas& canvas, const Picture& picture, std::span<const Plot> plots = {});
 
 /// Two pictures side by side above the plots they share.

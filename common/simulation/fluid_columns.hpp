@@ -32,9 +32,7 @@ struct FluidColumns {
       sorted(slot) = std::isfinite(value) ? value : instead;
     });
   }
-  [[nodiscard]] std::size_t bytes() const {
-    return 7 * static_cast<std::size_t>(x.size()) * sizeof(double);
-  }
+  [[nodiscard]] std::size_t bytes() const { return 7 * static_cast<std::size_t>(x.size()) * sizeof(double); }
 
  private:
   std::array<Column*, 7> all() { return {&x, &y, &vx, &vy, &density, &volume, &pressure}; }

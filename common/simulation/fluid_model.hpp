@@ -29,9 +29,9 @@ template <class T>
 }
 inline None operator+(None /*a*/, None /*b*/) { return {}; }
 
-/// A weakly compressible liquid (SPH): density, pressure by the Cole equation, walls, and the laws of the scene
-/// in one sweep over the neighbours. Every particle gathers its own sum, so there is nothing to lock, and any
-/// number of threads gives the same bits. Handout, section VI; Monaghan 2005.
+/// A weakly compressible liquid (SPH): density, pressure by the Cole equation, walls, and the laws of the
+/// scene in one sweep over the neighbours. Every particle gathers its own sum, so there is nothing to lock,
+/// and any number of threads gives the same bits. Handout, section VI; Monaghan 2005.
 template <class Kernel, Law... Laws>
 class FluidModel final : public Model {
  public:
@@ -117,8 +117,9 @@ class FluidModel final : public Model {
     const auto* g = p.find("gravity");
     gravity_ = {0, g != nullptr ? -g->value : 0};
     if (form_ == DensityForm::continuity)
-      diffusion_ = 2 * fluid_.h * fluid_.state.sound_speed *
-                   p.number({.name = "delta", .symbol = "delta", .unit = "", .value = 0.1, .range = not_negative});
+      diffusion_ =
+          2 * fluid_.h * fluid_.state.sound_speed *
+          p.number({.name = "delta", .symbol = "delta", .unit = "", .value = 0.1, .range = not_negative});
   }
 
   void arrange(const Particles& particles) {
@@ -230,8 +231,8 @@ class FluidModel final : public Model {
     }
   }
 
-  /// Acceleration of every particle by the laws `Some`; returns the power that they take out of the motion and
-  /// the compression of the fluid.
+  /// Acceleration of every particle by the laws `Some`; returns the power that they take out of the motion
+  /// and the compression of the fluid.
   template <class... Some>
   double accelerate(Particles& particles, double t, Vectors& a) {
     const auto p = view_of<UniformMass>(particles);
@@ -292,7 +293,8 @@ class FluidModel final : public Model {
         const Meeting ij{d, inverse, dot(v, d)};
         add(push, weight, (wall_stress(laws_.template get<Some>(), i, j, ij) + ...), d);
         add(push, weight, (wall_friction(laws_.template get<Some>(), i, j, ij) + ...), v);
-        squeeze += weight * dot(velocity, d) * (form_ == DensityForm::summation ? j.density / i.density : Pack(1.0));
+        squeeze +=
+            weight * dot(velocity, d) * (form_ == DensityForm::summation ? j.density / i.density : Pack(1.0));
       });
       const Vector by_walls{sum(push.x), sum(push.y)};
       total += by_walls;

@@ -12,7 +12,8 @@
 
 namespace clapotis {
 
-/// The laws of a scene, and what follows from all of them together. A hook that a law lacks generates no code.
+/// The laws of a scene, and what follows from all of them together. A hook that a law lacks generates no
+/// code.
 template <class Mass, Law... Laws>
 class LawSet {
  public:

@@ -34,12 +34,13 @@ struct View2D {
 struct Setup {
   Particles particles;
   std::unique_ptr<Model> model;
-  double radius = 0;  ///< of the discs in the picture, and h of the acoustic limit h/c where there is no fluid [L]
+  double radius =
+      0;  ///< of the discs in the picture, and h of the acoustic limit h/c where there is no fluid [L]
   View2D view{};
   std::optional<Reference> reference = {};
   std::optional<Fluid> fluid = {};  ///< what the particles are, in stage 4 and on
   bool has_front = false;           ///< whether the largest x of all particles is of interest
-  bool locate_impacts = false;  ///< find each impact inside the step, instead of clamping after it
+  bool locate_impacts = false;      ///< find each impact inside the step, instead of clamping after it
 };
 
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all

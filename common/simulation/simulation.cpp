@@ -13,7 +13,7 @@ namespace clapotis {
 namespace {
 
 constexpr std::size_t checkpoint_every = 16;  // steps: a copy of the state costs a few per cent of one step
-constexpr long timed_every = 8;        // steps: reading the clock costs as much as moving a particle
+constexpr long timed_every = 8;               // steps: reading the clock costs as much as moving a particle
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -49,7 +49,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   setup_.model->threads = threads;
   system_ = std::make_unique<System>(std::move(setup_.particles), *setup_.model);
   use_integrator(integrator);
-  if (setup_.model->limits_follow_state()) {
+  if (setup_.fluid) {  // its density and accelerations count from the start
     system_->evaluate(0);
     system_->current = true;
   }

@@ -20,7 +20,7 @@ struct System {
   double time = 0;               ///< t [s]
   double dissipated_energy = 0;  ///< energy lost to laws and walls since the start [energy]
   double dissipation = 0;        ///< its rate, by the laws that act at every instant [energy/s]
-  double diffusion = 0;          ///< its rate by the diffusion of density, at the last `evaluate_density_rate`
+  double diffusion = 0;  ///< its rate by the diffusion of density, at the last `evaluate_density_rate`
   long force_evaluations = 0;
   bool current = false;  ///< whether acceleration and dissipation belong to the state as it stands
   /// Takes out of the acceleration what a wall bears; empty but for a particle that can rest on one.
