@@ -94,9 +94,9 @@ void rest_under_weight(Particles& particles, const Parameters& p, double height)
   const auto column = at_rest(p);
   const double surface = column.compressed(height);
   for (Index i = 0; i < particles.size(); ++i) {
-    const double depth = column.compressed(height - particles.position(i, 1));
-    particles.position(i, 1) = surface - depth;
-    particles.density(i) = column.density(depth);
+    const double below = column.compressed(height - particles.position(i, 1));
+    particles.position(i, 1) = surface - below;
+    particles.density(i) = column.density(below);
   }
 }
 

@@ -44,9 +44,9 @@ Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height) {
           .positions = {}};
 }
 
-Reference ellipse(const Fluid& fluid, double radius, double strain_rate) {
+Reference ellipse(const Fluid& fluid, double radius, double rate) {
   const EllipticalDrop exact{
-      .radius = radius, .strain_rate = strain_rate, .density = fluid.state.reference_density};
+      .radius = radius, .strain_rate = rate, .density = fluid.state.reference_density};
   return {.name = "exact ellipse",
           .measure = "|b - b_exact|/b_exact",
           .unit = "",

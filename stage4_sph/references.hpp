@@ -12,7 +12,7 @@ Reference dam_break_experiment(double a, double gravity);
 Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height);
 
 /// Semi-axis along y, from the outermost particle, over the exact one.
-Reference ellipse(const Fluid& fluid, double radius, double strain_rate);
+Reference ellipse(const Fluid& fluid, double radius, double rate);
 
 /// Throws BadInput, naming the parameter, when it does not fit in the tank.
 void require_inside_tank(Parameters& p, const Tank& tank, const std::vector<Parameter>& sides);

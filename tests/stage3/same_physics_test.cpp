@@ -140,7 +140,7 @@ TEST_CASE("the neighbourhood shown to the eye is what the sweep computes with", 
     const auto near = sim.model().neighbourhood(sim.particles(), i);
     REQUIRE(near.has_value());
     CHECK(near->support == 20);
-    CHECK(near->cell == Approx(20).epsilon(1e-5));
+    CHECK(near->cell.y == Approx(20).epsilon(1e-5));
     candidates += static_cast<long long>(near->candidates.size());
     neighbours += static_cast<long long>(near->neighbours.size());
   }
