@@ -99,6 +99,7 @@ Setup drop_impact(Parameters& p) {
 /// its middle is under tension. Colagrossi 2005.
 Setup square_patch(Parameters& p) {
   const double side = p.number(patch_side), omega = p.number(angular_speed);
+  p.number({.name = "epsilon", .symbol = "epsilon", .unit = "", .value = 0.2, .range = not_negative});
   const Fluid fluid = liquid(p, omega * side / std::sqrt(2));
   Setup setup{.particles = particles_at(block(fluid.spacing, -side / 2, side / 2, -side / 2, side / 2), p),
               .model = free_model(p),
