@@ -1,6 +1,9 @@
 #include "stage4_sph/references.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "common/references/dam_break_front.hpp"
@@ -12,15 +15,21 @@
 
 namespace clapotis::stage4 {
 
-Reference dam_break_experiment(double a, double gravity) {
+Measure front(double spacing) {
+  return {.name = "front_x", .unit = "L", .value = [=](const System& s) {
+            return s.particles.size() > 0 ? s.position.col(0).maxCoeff() + spacing / 2 : 0;
+          }};
+}
+
+Reference dam_break_experiment(const Measure& front, double a, double gravity) {
   return {.name = std::string(koshizuka_oka_1996.name),
           .measure = "|front - experiment|/a",
           .unit = "",
           .source = std::string(koshizuka_oka_1996.source),
           .error =
               [=](const System& s) {
-                const double front = s.position.col(0).maxCoeff();
-                return std::abs(front / a - koshizuka_oka_1996.front(s.time * std::sqrt(2 * gravity / a)));
+                return std::abs(front.value(s) / a -
+                                koshizuka_oka_1996.front(s.time * std::sqrt(2 * gravity / a)));
               },
           .positions = {}};
 }
@@ -44,16 +53,40 @@ Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height) {
           .positions = {}};
 }
 
-Reference ellipse(const Fluid& fluid, double radius, double rate) {
-  const EllipticalDrop exact{.radius = radius, .strain_rate = rate, .density = fluid.state.reference_density};
+std::vector<Measure> stretches(const Vectors& start) {
+  const auto outermost = [](const Vectors& r) { return r.col(1).abs().maxCoeff(); };
+  const auto moment = [](const Vectors& r) { return std::sqrt(r.col(1).square().mean()); };
+  return {{.name = "stretch_outermost",
+           .unit = "1",
+           .value = [=, first = outermost(start)](const System& s) { return outermost(s.position) / first; }},
+          {.name = "stretch_moment", .unit = "1", .value = [=, first = moment(start)](const System& s) {
+             return moment(s.position) / first;
+           }}};
+}
+
+Measure centre_pressure() {
+  return {.name = "centre_pressure", .unit = "kg/(L s^2)", .value = [](const System& s) {
+            std::array<std::pair<double, double>, 4> nearest;
+            nearest.fill({std::numeric_limits<double>::infinity(), 0});
+            for (Index i = 0; i < s.particles.size(); ++i) {
+              const std::pair candidate{dot(row(s.position, i), row(s.position, i)), s.particles.pressure(i)};
+              const auto farthest = std::max_element(nearest.begin(), nearest.end());
+              if (candidate < *farthest) *farthest = candidate;
+            }
+            double sum = 0;
+            for (const auto& [distance, pressure] : nearest) sum += pressure;
+            return sum / 4;
+          }};
+}
+
+Reference ellipse(const std::vector<Measure>& stretches, const EllipticalDrop& exact) {
   return {.name = "exact ellipse",
           .measure = "|b - b_exact|/b_exact",
           .unit = "",
           .source = "Monaghan 1994, J. Comput. Phys. 110: 399-406",
           .error =
-              [=](const System& s) {
-                const double stretch = s.position.col(1).abs().maxCoeff() / radius;
-                return std::abs(stretch * radius / exact.at(s.time).semi_axis_y - 1);
+              [=, stretch = stretches.front()](const System& s) {
+                return std::abs(stretch.value(s) / (exact.at(s.time).semi_axis_y / exact.radius) - 1);
               },
           .positions =
               [=](double t) {

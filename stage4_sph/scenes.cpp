@@ -26,9 +26,9 @@ Setup dam_break(Parameters& p) {
               .model = tank_model(p, std::move(tank.walls)),
               .radius = fluid.spacing / 2,
               .view = {0, tank.width, 0, tank.height},
-              .reference = dam_break_experiment(a, g),
+              .reference = dam_break_experiment(front(fluid.spacing), a, g),
               .fluid = fluid,
-              .has_front = true};
+              .measures = {front(fluid.spacing)}};
   rest_under_weight(setup.particles, p, height);
   return setup;
 }
@@ -58,13 +58,14 @@ Setup elliptical_drop(Parameters& p) {
               .model = free_model(p),
               .radius = fluid.spacing / 2,
               .view = {-1.6 * radius, 1.6 * radius, -2.2 * radius, 2.2 * radius},
-              .reference = ellipse(fluid, radius, rate),
               .fluid = fluid};
-  const auto exact =
-      EllipticalDrop{.radius = radius, .strain_rate = rate, .density = fluid.state.reference_density}.at(0);
+  const EllipticalDrop exact{.radius = radius, .strain_rate = rate, .density = fluid.state.reference_density};
+  setup.measures = stretches(setup.particles.position);
+  setup.reference = ellipse(setup.measures, exact);
+  const auto start = exact.at(0);
   for (Index i = 0; i < setup.particles.size(); ++i)
     setup.particles.density(i) =
-        fluid.state.density(exact.pressure(setup.particles.position(i, 0), setup.particles.position(i, 1)));
+        fluid.state.density(start.pressure(setup.particles.position(i, 0), setup.particles.position(i, 1)));
   setup.particles.velocity.col(0) = -rate * setup.particles.position.col(0);
   setup.particles.velocity.col(1) = rate * setup.particles.position.col(1);
   return setup;
@@ -104,7 +105,8 @@ Setup square_patch(Parameters& p) {
               .model = free_model(p),
               .radius = fluid.spacing / 2,
               .view = {-side, side, -side, side},
-              .fluid = fluid};
+              .fluid = fluid,
+              .measures = {centre_pressure()}};
   setup.particles.velocity.col(0) = omega * setup.particles.position.col(1);
   setup.particles.velocity.col(1) = -omega * setup.particles.position.col(0);
   return setup;

@@ -50,6 +50,7 @@ Json units_json(const Simulation& s) {
     const auto unit = column.unit == "error" ? s.setup().reference->unit : with_length(column.unit, length);
     series[column.name] = unit;
   }
+  for (const auto& measure : s.setup().measures) series[measure.name] = with_length(measure.unit, length);
   return {{"series.csv", series},
           {"final.csv", particle_units(s)},
           {"energy", with_length("kg L^2/s^2", length)},

@@ -14,7 +14,6 @@ constexpr double seconds_between_flushes = 1;
 constexpr bool always(const Simulation&) { return true; }
 bool is_fluid(const Simulation& s) { return s.setup().fluid.has_value(); }
 bool has_springs(const Simulation& s) { return s.model().has_pairs() && !is_fluid(s); }
-bool has_front(const Simulation& s) { return s.setup().has_front; }
 bool has_reference(const Simulation& s) { return s.setup().reference.has_value(); }
 bool has_sound(const Simulation& s) { return s.sound_speed() > 0 && s.smoothing_length() > 0; }
 
@@ -46,9 +45,6 @@ constexpr std::array all_columns{
                  always},
     SeriesColumn{"centre_y", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).y; },
                  always},
-    SeriesColumn{"front_x", "L",
-                 [](const Moment& m) { return m.simulation.particles().position.col(0).maxCoeff(); },
-                 has_front},
     SeriesColumn{"max_speed", "L/s", [](const Moment& m) { return max_speed(m.simulation.particles()); },
                  always},
     SeriesColumn{
@@ -88,6 +84,7 @@ Series::Series(const std::filesystem::path& file, const Simulation& simulation)
     if (!header.empty()) header += ',';
     header += column.name;
   }
+  for (const auto& measure : simulation.setup().measures) header += "," + measure.name;
   file_.write(header += '\n');
 }
 
@@ -97,6 +94,11 @@ void Series::add(const Moment& moment) {
     const double value = column.value(moment);
     if (!row.empty()) row += ',';
     row += std::isnan(value) ? "nan" : to_text(value);
+  }
+  const auto& simulation = moment.simulation;
+  for (const auto& measure : simulation.setup().measures) {
+    const double value = measure.value(simulation.system());
+    row += std::isnan(value) ? ",nan" : "," + to_text(value);
   }
   file_.write(row += '\n');
   if (wall_seconds() - last_flush_ < seconds_between_flushes) return;

@@ -25,6 +25,13 @@ struct Reference {
   std::function<Vectors(double t)> positions;
 };
 
+/// A number that is worth following in a scene, for example the front of a dam break.
+struct Measure {
+  std::string name;  ///< of the column in series.csv
+  std::string unit;  ///< L stands for the scene's unit of length; "1" for a pure number
+  std::function<double(const System&)> value;
+};
+
 /// The part of the plane that the window and pictures show [L].
 struct View2D {
   double left, right, bottom, top;
@@ -38,9 +45,9 @@ struct Setup {
       0;  ///< of the discs in the picture, and h of the acoustic limit h/c where there is no fluid [L]
   View2D view{};
   std::optional<Reference> reference = {};
-  std::optional<Fluid> fluid = {};  ///< what the particles are, in stage 4 and on
-  bool has_front = false;           ///< whether the largest x of all particles is of interest
-  bool locate_impacts = false;      ///< find each impact inside the step, instead of clamping after it
+  std::optional<Fluid> fluid = {};     ///< what the particles are, in stage 4 and on
+  std::vector<Measure> measures = {};  ///< what the scene is about, besides energies: columns of series.csv
+  bool locate_impacts = false;         ///< find each impact inside the step, instead of clamping after it
 };
 
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all

@@ -15,7 +15,7 @@ std::unique_ptr<Simulation> flowing_dam_break(long count, int threads = 1, const
   const double columns = std::round(std::sqrt(static_cast<double>(count) / 2));
   Overrides overrides{
       {"kernel", {"cubic_spline"}}, {"h_over_dx", {"1.3"}}, {"spacing", {to_text(1 / columns)}}};
-  overrides.insert(more.begin(), more.end());
+  for (const auto& [name, value] : more) overrides.insert_or_assign(name, value);
   auto simulation = std::make_unique<Simulation>(stage4::stage().scene("dam_break"), overrides,
                                                  default_integrator, threads);
   for (int step = 0; step < 64; ++step) simulation->step();
