@@ -9,8 +9,11 @@ tank is 4 m high, here 3 m, which no water reaches while anything is measured.
 An update is one particle of the fluid given its density rate, pressure and acceleration once. PySPH predicts with the
 accelerations of the step before, evaluates, then corrects: one evaluation per step. Walls and the one evaluation before
 the first step count as no update. The clock, CPU time of the process, starts after that evaluation, so neither start-up
-nor PySPH's compiling counts. What PySPH compiles goes to a temporary folder, with the flags of Debian's Python (-O2)
-unless the environment has CFLAGS.
+nor PySPH's compiling counts, and stands while this script looks at the particles. What PySPH compiles goes to a
+temporary folder, with the flags of Debian's Python (-O2) unless the environment has CFLAGS.
+
+A run is left when a particle is faster than sound: soon after, PySPH's neighbour search would read outside its arrays.
+Exit codes: 0 done, 2 usage, 4 files, 5 diverged (with the figures up to there), 69 PySPH is not installed.
 """
 import argparse
 import contextlib
@@ -23,10 +26,10 @@ import tempfile
 import time
 
 WORDS = {
-    "usage": "%(prog)s [--dx DX] [--until S | --steps N] [--json [FILE]]",
+    "usage": "%(prog)s [--dx DX] [--steps N | --until S] [--json [FILE]]",
     "dx": "spacing of the particles in m, a whole fraction of 1 m (default: 0.01, 20,000 particles)",
-    "until": "simulated seconds (default: 0.7; T = 3, where the energy is read, is 0.677 s)",
-    "steps": "time steps instead, at least 1",
+    "steps": "time steps (default: 100)",
+    "until": "simulated seconds instead; 0.7 passes T = 3, where the energy is read",
     "json": "write JSON to FILE as well; without FILE print it instead of the table",
     "bad_dx": "%s m is not a whole fraction, 1/4 to 1/1000, of the column's 1 m. The nearest is %.10g.",
     "bad_until": "%s is not a finite number of seconds above 0.",
@@ -34,7 +37,7 @@ WORDS = {
     "missing": "PySPH is not there (%s): ./lab bench --peer pysph installs it.",
     "compiling": "PySPH compiles its equations (about half a minute) ...",
     "progress": "t = %.4f s, step %d, %.0f s of CPU time",
-    "diverged": "PySPH's run diverged: its energy is no number at t = %g s.",
+    "diverged": "PySPH's run diverged: a particle is faster than sound in step %d, t = %.4g s.",
     "unwritable": "Cannot write to %s: %s.",
     "seconds": "%.1f s",
     "of_the_start": "%.4f of the start",
@@ -74,6 +77,7 @@ WALL_LAYERS = 4      # as in the example
 RHO = 1000.0         # [kg/m^3]
 G = 9.81             # [m/s^2]
 TIME_UNIT = math.sqrt(A / (2 * G))   # T = t/TIME_UNIT
+SOUND = 10 * math.sqrt(2 * G * 2 * A)  # c0 of the example [m/s]
 FRONT_AT = (0.83, 1.45, 2.07, 2.69)  # T
 ENERGY_AT = 3.0                      # T
 
@@ -109,8 +113,8 @@ def read_options():
     parser = argparse.ArgumentParser(usage=WORDS["usage"], description=__doc__.splitlines()[0], allow_abbrev=False)
     parser.add_argument("--dx", type=fraction_of_the_column, default=0.01, help=WORDS["dx"])
     end = parser.add_mutually_exclusive_group()
-    end.add_argument("--until", type=seconds, default=0.7, help=WORDS["until"])
-    end.add_argument("--steps", type=count, help=WORDS["steps"])
+    end.add_argument("--steps", type=count, default=100, help=WORDS["steps"])
+    end.add_argument("--until", type=seconds, metavar="S", help=WORDS["until"])
     parser.add_argument("--json", nargs="?", const="-", metavar="FILE", help=WORDS["json"])
     return parser.parse_args()
 
@@ -121,6 +125,10 @@ def end_of_the_wet_bed(x, y, dx):
     wet = np.sort(x[y < 4 * dx])
     gaps = np.flatnonzero(np.diff(wet) > 3 * dx)
     return wet[gaps[0] if gaps.size else -1]
+
+
+class Diverged(Exception):
+    """A particle is faster than sound."""
 
 
 class DamBreak(DamBreak2D):
@@ -136,23 +144,30 @@ class DamBreak(DamBreak2D):
                                h=self.h, m=RHO * self.dx**2, rho=RHO)
             for name, where in (("fluid", column), ("boundary", wall)))
         self.scheme.setup_properties([self.fluid, self.boundary])
-        self.started, self.dts, self.fronts, self.energies = None, [], [], [self.energy(self.fluid.y)]
+        self.cpu, self.said, self.dts, self.fronts, self.energies = 0.0, 0.0, [], [], [self.energy(self.fluid.y)]
         return [self.fluid, self.boundary]
 
     def energy(self, y):
         """Kinetic and potential, zero on the bed. [J/m]"""
         return float(np.sum(self.fluid.m * ((self.fluid.u**2 + self.fluid.v**2) / 2 + G * y)))
 
+    def count_time(self):
+        self.cpu += time.process_time() - self.resumed
+
     def pre_step(self, solver):
-        now = time.process_time()
-        if self.started is None:
-            self.started = self.said = now
+        if self.dts:
+            self.count_time()
+        else:
+            self.neighbours = self.mean_neighbours()
         self.look(solver.t)
         self.dts.append(solver.dt)
-        if sys.stderr.isatty() and now > self.said + 1:
-            self.said = now
-            said = WORDS["progress"] % (solver.t, solver.count, now - self.started)
+        if not np.max(self.fluid.u**2 + self.fluid.v**2) < SOUND**2:  # or no number
+            raise Diverged
+        if sys.stderr.isatty() and self.cpu > self.said + 1:
+            self.said = self.cpu
+            said = WORDS["progress"] % (solver.t, solver.count, self.cpu)
             print("\r\033[K" + said, end="", file=sys.stderr, flush=True)
+        self.resumed = time.process_time()
 
     def look(self, t):
         """At an instant that the last step has passed, by moving the particles back along their velocities."""
@@ -165,10 +180,9 @@ class DamBreak(DamBreak2D):
         if len(self.energies) == 1 and t >= ENERGY_AT * TIME_UNIT:
             self.energies.append(self.energy(fluid.y - fluid.v * (t - ENERGY_AT * TIME_UNIT)))
 
-    def neighbours(self):
+    def mean_neighbours(self):
         """Mean of 1,000 particles of fluid or so, themselves not counted."""
         near, counts = UIntArray(), []
-        self.nnps.update()
         for i in range(0, len(self.fluid.x), max(1, len(self.fluid.x) // 1000)):
             counts.append(-1)
             for source in (0, 1):
@@ -183,16 +197,16 @@ def run(options):
         print(WORDS["compiling"], file=sys.stderr)
         app = DamBreak(fname="dam_break", output_dir=folder)
         app.setup(["--quiet", "--disable-output", "--loglevel", "none", "--no-openmp", "--dx", repr(options.dx)] +
-                  (["--max-steps", str(options.steps)] if options.steps else ["--tf", repr(options.until)]))
-        solver, fluid = app.solver, app.fluid
-        solver.solve(show_progress=False)
-        cpu = time.process_time() - app.started
+                  (["--tf", repr(options.until)] if options.until else ["--max-steps", str(options.steps)]))
+        solver, fluid, diverged = app.solver, app.fluid, None
+        try:
+            solver.solve(show_progress=False)
+            app.count_time()
+            app.look(solver.t)
+        except Diverged:
+            diverged = {"step": solver.count, "t": solver.t}
         if sys.stderr.isatty():
             print("\r\033[K", end="", file=sys.stderr)
-        if not math.isfinite(app.energy(fluid.y)):
-            stop(5, "diverged", solver.t)
-        app.look(solver.t)
-        neighbours = app.neighbours()
     usual = app.dts[solver.n_damp:-1] or app.dts  # but for the small ones of the start and the last, cut to fit the end
     return {
         "peer": "pysph",
@@ -202,16 +216,17 @@ def run(options):
         "dx": options.dx,
         "fluid_particles": len(fluid.x),
         "boundary_particles": len(app.boundary.x),
-        "neighbours": neighbours,
+        "neighbours": app.neighbours,
         "steps": solver.count,
         "force_evaluations": solver.count,
         "dt": {"median": float(np.median(usual)), "least": min(usual), "largest": max(usual)},
         "simulated_seconds": solver.t,
-        "cpu_seconds": cpu,
-        "updates_per_second": len(fluid.x) * solver.count / cpu,
-        "cpu_seconds_per_simulated_second": None if options.steps else cpu / solver.t,  # the first 50 steps are small
+        "cpu_seconds": app.cpu,
+        "updates_per_second": len(fluid.x) * solver.count / app.cpu,
+        "cpu_seconds_per_simulated_second": app.cpu / solver.t if options.until else None,  # 100 steps start too small
         "front": app.fronts,
         "energy_at_T_3": app.energies[1] / app.energies[0] if len(app.energies) > 1 else None,
+        "diverged": diverged,
     }
 
 
@@ -242,6 +257,8 @@ def main():
             with open(options.json, "w") as file:
                 file.write(text)
             print(WORDS["kept"] % options.json)
+        if result["diverged"]:
+            stop(5, "diverged", *result["diverged"].values())
     except OSError as error:
         stop(4, "unwritable", error.filename or "the output", error.strerror)
     except KeyboardInterrupt:
