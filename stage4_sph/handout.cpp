@@ -56,7 +56,8 @@ Setup handout(Parameters& p) {
   const Fluid fluid = printed_liquid(p);
   const double h = fluid.h;
   const auto across = static_cast<double>(p.integer(columns)), up = static_cast<double>(p.integer(lines));
-  const Vectors places = block(2 * h, 0, 2 * h * across, 0, 2 * h * up);
+  Vectors places = block(2 * h, 0, 2 * h * across, 0, 2 * h * up);
+  disturb(places, p, 2 * h);
   Setup setup{.particles = particles_at(places, p),
               .model = nullptr,
               .radius = h,

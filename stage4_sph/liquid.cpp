@@ -1,11 +1,11 @@
 #include "stage4_sph/liquid.hpp"
 
 #include <cmath>
+#include <random>
 
 #include "common/kernels/cubic_spline.hpp"
 #include "common/kernels/lattice.hpp"
 #include "common/kernels/wendland_c2.hpp"
-#include "common/simulation/errors.hpp"
 #include "stage4_sph/parameters.hpp"
 
 namespace clapotis::stage4 {
@@ -81,6 +81,14 @@ Vectors block(double spacing, double left, double right, double bottom, double t
   const double half = spacing / 2;
   return lattice(spacing, {left + half, bottom + half}, {left + half, bottom + half},
                  {right - half, top - half}, [](Vector) { return true; });
+}
+
+void disturb(Vectors& places, Parameters& p, double spacing) {
+  std::mt19937_64 bits(static_cast<std::uint64_t>(p.integer(disturbance_seed)));
+  const double most = p.number(disturbance) * spacing;
+  for (const Index axis : {0, 1})
+    for (Index i = 0; i < places.rows(); ++i)
+      places(i, axis) += most * (2 * static_cast<double>(bits() >> 11) * 0x1p-53 - 1);
 }
 
 HydrostaticColumn at_rest(const Parameters& p) {

@@ -36,6 +36,9 @@ Vectors disc(double spacing, const Vector& centre, double radius);
 /// Those of a rectangle, half a spacing inside its sides.
 Vectors block(double spacing, double left, double right, double bottom, double top);
 
+/// Moves each coordinate at random by at most `disturbance` spacings, the same with the same `seed`.
+void disturb(Vectors& places, Parameters& p, double spacing);
+
 /// Presses the particles, of a lattice from the floor at y = 0 up to `height`, together as the weight of the
 /// liquid does: each gets the density that balances the weight above it, and the place that goes with it.
 void rest_under_weight(Particles& particles, const Parameters& p, double height);

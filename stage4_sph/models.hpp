@@ -5,6 +5,7 @@
 #include "common/laws/laminar_viscosity.hpp"
 #include "common/laws/pressure_force.hpp"
 #include "common/laws/step_limits.hpp"
+#include "common/laws/tensile_correction.hpp"
 #include "common/laws/walls.hpp"
 #include "common/simulation/fluid_model.hpp"
 #include "stage4_sph/liquid.hpp"

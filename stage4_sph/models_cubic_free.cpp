@@ -4,6 +4,8 @@
 namespace clapotis::stage4 {
 
 std::unique_ptr<Model> cubic_free(Parameters& p, const Period& period) {
+  if (p.find("epsilon") != nullptr)
+    return liquid_model<CubicSpline, TensileCorrection<CubicSpline>>(p, {}, period);
   return liquid_model<CubicSpline>(p, {}, period);
 }
 

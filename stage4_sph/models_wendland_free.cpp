@@ -4,6 +4,8 @@
 namespace clapotis::stage4 {
 
 std::unique_ptr<Model> wendland_free(Parameters& p, const Period& period) {
+  if (p.find("epsilon") != nullptr)
+    return liquid_model<WendlandC2, TensileCorrection<WendlandC2>>(p, {}, period);
   return liquid_model<WendlandC2>(p, {}, period);
 }
 

@@ -45,8 +45,7 @@ Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height) {
 }
 
 Reference ellipse(const Fluid& fluid, double radius, double rate) {
-  const EllipticalDrop exact{
-      .radius = radius, .strain_rate = rate, .density = fluid.state.reference_density};
+  const EllipticalDrop exact{.radius = radius, .strain_rate = rate, .density = fluid.state.reference_density};
   return {.name = "exact ellipse",
           .measure = "|b - b_exact|/b_exact",
           .unit = "",

@@ -1,7 +1,6 @@
 #include "stage4_sph/scenes.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "common/laws/gravity.hpp"
 #include "common/references/dam_break_front.hpp"
@@ -99,6 +98,7 @@ Setup drop_impact(Parameters& p) {
 /// its middle is under tension. Colagrossi 2005.
 Setup square_patch(Parameters& p) {
   const double side = p.number(patch_side), omega = p.number(angular_speed);
+  p.number({.name = "epsilon", .symbol = "epsilon", .unit = "", .value = 0.2, .range = not_negative});
   const Fluid fluid = liquid(p, omega * side / std::sqrt(2));
   Setup setup{.particles = particles_at(block(fluid.spacing, -side / 2, side / 2, -side / 2, side / 2), p),
               .model = free_model(p),
@@ -119,11 +119,7 @@ Setup acoustic(Parameters& p) {
               .radius = fluid.spacing / 2,
               .view = {0, side, 0, side},
               .fluid = fluid};
-  std::mt19937_64 bits(static_cast<std::uint64_t>(p.integer(disturbance_seed)));
-  const double amplitude = p.number(disturbance) * fluid.spacing;
-  for (Index axis = 0; axis < 2; ++axis)
-    for (Index i = 0; i < setup.particles.size(); ++i)
-      setup.particles.position(i, axis) += amplitude * (2 * static_cast<double>(bits() >> 11) * 0x1p-53 - 1);
+  disturb(setup.particles.position, p, fluid.spacing);
   return setup;
 }
 
@@ -132,48 +128,50 @@ Setup acoustic(Parameters& p) {
 Stage stage() {
   return {.name = "stage4_sph",
           .title = "Stage 4 - SPH",
-          .scenes = {
-              {.name = "dam_break",
-               .length_unit = "m",
-               .defaults = {{"kernel", "wendland_c2"}},
-               .build = dam_break},
-              {.name = "still_water",
-               .length_unit = "m",
-               .defaults = {{"kernel", "wendland_c2"},
-                            {"h_over_dx", "2"},
-                            {"tank_width", "1"},
-                            {"tank_height", "1.5"},
-                            {"spacing", "0.02"}},
-               .build = still_water},
-              {.name = "elliptical_drop",
-               .length_unit = "m",
-               .defaults = {{"density", "summation"}, {"spacing", "0.05"}, {"alpha", "0.008"}},
-               .build = elliptical_drop},
-              {.name = "drop_impact",
-               .length_unit = "m",
-               .defaults = {{"kernel", "wendland_c2"},
-                            {"tank_width", "2"},
-                            {"tank_height", "1.5"},
-                            {"depth", "0.5"},
-                            {"radius", "0.15"},
-                            {"spacing", "0.02"}},
-               .build = drop_impact},
-              {.name = "square_patch",
-               .length_unit = "m",
-               .defaults = {{"kernel", "wendland_c2"}, {"tension", "yes"}, {"spacing", "0.02"}},
-               .build = square_patch},
-              {.name = "acoustic",
-               .length_unit = "m",
-               .defaults = {{"kernel", "cubic_spline"},
-                            {"h_over_dx", "1.3"},
-                            {"density", "summation"},
-                            {"tension", "yes"},
-                            {"side", "12"},
-                            {"spacing", "1"},
-                            {"reference_density", "1"},
-                            {"alpha", "0.1"}},
-               .build = acoustic},
-              {.name = "handout", .length_unit = "px", .defaults = {{"gravity", "500"}}, .build = handout}}};
+          .scenes = {{.name = "dam_break",
+                      .length_unit = "m",
+                      .defaults = {{"kernel", "wendland_c2"}},
+                      .build = dam_break},
+                     {.name = "still_water",
+                      .length_unit = "m",
+                      .defaults = {{"kernel", "wendland_c2"},
+                                   {"h_over_dx", "2"},
+                                   {"tank_width", "1"},
+                                   {"tank_height", "1.5"},
+                                   {"spacing", "0.02"}},
+                      .build = still_water},
+                     {.name = "elliptical_drop",
+                      .length_unit = "m",
+                      .defaults = {{"density", "summation"}, {"spacing", "0.05"}, {"alpha", "0.008"}},
+                      .build = elliptical_drop},
+                     {.name = "drop_impact",
+                      .length_unit = "m",
+                      .defaults = {{"kernel", "wendland_c2"},
+                                   {"tank_width", "2"},
+                                   {"tank_height", "1.5"},
+                                   {"depth", "0.5"},
+                                   {"radius", "0.15"},
+                                   {"spacing", "0.02"}},
+                      .build = drop_impact},
+                     {.name = "square_patch",
+                      .length_unit = "m",
+                      .defaults = {{"kernel", "wendland_c2"}, {"tension", "yes"}, {"spacing", "0.02"}},
+                      .build = square_patch},
+                     {.name = "acoustic",
+                      .length_unit = "m",
+                      .defaults = {{"kernel", "cubic_spline"},
+                                   {"h_over_dx", "1.3"},
+                                   {"density", "summation"},
+                                   {"tension", "yes"},
+                                   {"side", "12"},
+                                   {"spacing", "1"},
+                                   {"reference_density", "1"},
+                                   {"alpha", "0.1"}},
+                      .build = acoustic},
+                     {.name = "handout",
+                      .length_unit = "px",
+                      .defaults = {{"gravity", "500"}, {"disturbance", "0.01"}},
+                      .build = handout}}};
 }
 
 }  // namespace clapotis::stage4

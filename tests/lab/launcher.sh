@@ -21,9 +21,12 @@ stand_in() { { echo '#!/usr/bin/env bash'; cat; } > "$box/tools/$1"; chmod +x "$
 
 mkdir -p "$house"/stage{1_bouncing,2_cloud} "$box/tools"
 touch "$house"/stage{1_bouncing,2_cloud}/main.cpp "$house/CMakePresets.json"
+mkdir -p "$house/report/bench/peers"
 cp "$here/../../lab" "$house/lab"
 export PATH="$box/tools:$PATH" BOX=$box
 unset DISPLAY WAYLAND_DISPLAY CI
+cat > "$house/report/bench/peers/pysph_dam_break.py" <<< $'#!/usr/bin/env bash\necho "peer $*"; exit 5'
+chmod +x "$house/report/bench/peers/pysph_dam_break.py"
 # shellcheck disable=SC2016  # to be expanded by the stand-ins
 stand_in dpkg-query <<< '[[ -e $BOX/installed ]] && for name in "${@:4}"; do echo "$name installed"; done'
 stand_in dpkg <<< ':'
@@ -64,6 +67,7 @@ expect 'a misspelt verb is answered with the nearest one' 2 'nearest is "bench"'
 expect 'a misspelt stage is answered with the nearest one' 2 'nearest is "stage2_cloud"' "$lab" run stage2_clod
 : > "$box/offline"
 expect 'without a network it says what to type' 69 'no network.*apt-get update && .*apt-get install .*libsfml-dev' "$lab" run
+expect 'what a peer needs is installed on demand' 69 'apt-get install .*python3-pysph' "$lab" bench --peer=pysph
 rm "$box/offline"
 : > "$box/forbidden"
 [[ $EUID == 0 ]] || expect 'without rights it says what to ask for' 69 'administrator.*sudo apt-get install .*cmake' "$lab" run
@@ -81,6 +85,10 @@ expect 'the exit code of a stage ends the tour' 5 '^[^2]*$' env DISPLAY=:0 "$lab
 expect 'ctest has the last word, and its exit code passes through' 8 'ctest --preset release -j [0-9]+ -R window$' \
   "$lab" test -R window
 expect 'compare passes its arguments on' 0 '^compare A B --headless$' "$lab" compare A B --headless
+expect 'a misspelt peer is answered with the nearest one' 2 'no peer "pyshp".*nearest is "pysph"' \
+  "$lab" bench --peer pyshp
+expect 'a peer has the last word, and its figures a place' 5 '^peer --json runs/peers/pysph.json --dx 0.02$' \
+  "$lab" bench --peer pysph --dx 0.02
 expect 'it configured once' 0 '^1$' grep -c configured "$box/configured"
 : > "$box/broken"
 expect 'a failed build shows why' 70 'expected ;' "$lab" bench
