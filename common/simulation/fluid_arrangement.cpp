@@ -14,7 +14,7 @@ void Period::wrap(Vectors& position) const {
 }
 
 /// Along x first, then along y of everything there is by then: corners get theirs.
-void FluidArrangement::add_images(const Vectors& position, int axis) {
+void FluidArrangement::add_images(int axis) {
   const double first = axis == 0 ? period_.corner.x : period_.corner.y;
   const double side = axis == 0 ? period_.length.x : period_.length.y;
   if (side == 0) return;
@@ -22,7 +22,7 @@ void FluidArrangement::add_images(const Vectors& position, int axis) {
   std::vector<Vector> places;
   for (Index k = 0; k < before; ++k) {
     const bool image = k >= count_;
-    const Vector r = image || places_.rows() > 0 ? row(places_, k) : row(position, k);
+    const Vector r = row(places_, k);
     const double at = axis == 0 ? r.x : r.y;
     const auto source = image ? images_[static_cast<std::size_t>(k - count_)] : static_cast<std::int32_t>(k);
     const auto add = [&](double shift) {
@@ -33,7 +33,7 @@ void FluidArrangement::add_images(const Vectors& position, int axis) {
     if (at >= first + side - support_) add(-side);
   }
   Vectors all(slots(), 2);
-  all.topRows(before) = places_.rows() > 0 ? places_ : position;
+  all.topRows(before) = places_;
   for (Index k = before; k < slots(); ++k) {
     const Vector& r = places[static_cast<std::size_t>(k - before)];
     all.row(k) << r.x, r.y;
@@ -45,10 +45,14 @@ void FluidArrangement::build(const Particles& particles, int threads) {
   constexpr double far_away = 1e100;
   count_ = particles.size();
   images_.clear();
-  places_.resize(0, 2);
-  add_images(particles.position, 0);
-  add_images(particles.position, 1);
-  const Vectors& places = images_.empty() ? particles.position : places_;
+  const bool periodic = period_.length.x > 0 || period_.length.y > 0;
+  if (periodic) {  // an integrator may have carried some beyond the edge, where they would see no images
+    places_ = particles.position;
+    period_.wrap(places_);
+    add_images(0);
+    add_images(1);
+  }
+  const Vectors& places = periodic ? places_ : particles.position;
   grid.build(places, support_, threads);
   columns.resize(slots());
   const auto place = [&](Index slot) { return grid.id(slot); };

@@ -41,12 +41,12 @@ class FluidArrangement {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  void add_images(const Vectors& position, int axis);
+  void add_images(int axis);
 
   double support_;
   Period period_;
   Index count_ = 0;
-  Vectors places_;                    ///< of particles and images, where there are images
+  Vectors places_;                    ///< of particles and images, where the plane is periodic
   std::vector<std::int32_t> images_;  ///< whose image each is
 };
 

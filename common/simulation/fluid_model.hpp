@@ -76,6 +76,9 @@ class FluidModel final : public Model {
     laws_.settle(s, dt);
     sorted_.period().wrap(s.position);
   }
+  /// The density that the walls took from the fluid beside them: the equation of continuity reads it.
+  [[nodiscard]] Column memory() const override { return walls_.columns.volume; }
+  void recall(const Column& memory) override { walls_.columns.volume = memory; }
   void refresh(Parameters& p) override {
     laws_.refresh(p);
     fluid_ = Fluid::from(p);
