@@ -9,8 +9,9 @@ namespace clapotis {
 ///
 ///   p_w = sum_f (p_f + rho_f g.(x_w - x_f)) W / sum_f W,
 ///
-/// not below 0 where the fluid bears no tension, and rho_w = rho(p_w). Where nothing is slipping along them,
-/// they carry the velocity -sum_f v_f W / sum_f W.
+/// not below 0 where the fluid bears no tension. Their density stays rho_0, so that a wall remembers nothing:
+/// by Adami it follows from p_w, which changes it by the compression, 0.25 % at the bottom of a tank. Where
+/// nothing is slipping along them, they carry the velocity -sum_f v_f W / sum_f W.
 struct DummyWalls {
   Vectors places;  ///< of the particles [L]
   FluidColumns columns;

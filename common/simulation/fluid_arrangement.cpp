@@ -41,31 +41,17 @@ void FluidArrangement::add_images(int axis) {
   places_ = std::move(all);
 }
 
-void FluidArrangement::build(const Particles& particles, int threads) {
-  constexpr double far_away = 1e100;
+void FluidArrangement::sort(const Particles& particles, int threads) {
   count_ = particles.size();
   images_.clear();
-  const bool periodic = period_.length.x > 0 || period_.length.y > 0;
-  if (periodic) {  // an integrator may have carried some beyond the edge, where they would see no images
+  if (periodic()) {  // an integrator may have carried some beyond the edge, where they would see no images
     places_ = particles.position;
     period_.wrap(places_);
     add_images(0);
     add_images(1);
   }
-  const Vectors& places = periodic ? places_ : particles.position;
-  grid.build(places, support_, threads);
+  grid.build(periodic() ? places_ : particles.position, support_, threads);
   columns.resize(slots());
-  const auto place = [&](Index slot) { return grid.id(slot); };
-  const auto particle = [&](Index slot) { return id(slot); };
-  FluidColumns::gather(columns.x, slots(), places.col(0).data(), far_away, threads, place);
-  FluidColumns::gather(columns.y, slots(), places.col(1).data(), far_away, threads, place);
-  FluidColumns::gather(columns.vx, slots(), particles.velocity.col(0).data(), 0, threads, particle);
-  FluidColumns::gather(columns.vy, slots(), particles.velocity.col(1).data(), 0, threads, particle);
-}
-
-void FluidArrangement::gather_density(const Column& density, double instead, int threads) {
-  FluidColumns::gather(columns.density, slots(), density.data(), instead, threads,
-                       [&](Index slot) { return id(slot); });
 }
 
 Neighbourhood FluidArrangement::neighbourhood(const Vector& r, Index i) const {

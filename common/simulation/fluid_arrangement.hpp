@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cmath>
+
 #include "common/simulation/fluid_columns.hpp"
 #include "common/simulation/model.hpp"
+#include "common/simulation/parallel.hpp"
 
 namespace clapotis {
 
@@ -23,9 +26,25 @@ class FluidArrangement {
   CellGrid grid{8};
   FluidColumns columns;
 
-  /// Sorts, and brings positions and velocities along.
-  void build(const Particles& particles, int threads);
-  void gather_density(const Column& density, double instead, int threads);
+  /// Sorts, and brings positions and velocities along; then calls finish(slot, id) for what else is wanted.
+  template <class Finish>
+  void build(const Particles& particles, int threads, const Finish& finish) {
+    sort(particles, threads);
+    const Vectors& places = periodic() ? places_ : particles.position;
+    const double *x = places.col(0).data(), *y = places.col(1).data();
+    const double *vx = particles.velocity.col(0).data(), *vy = particles.velocity.col(1).data();
+    for_each(slots(), threads, [&](Index slot) {
+      const Index place = grid.id(slot), i = id(slot);
+      columns.x(slot) = finite_or(x[place], far_away);
+      columns.y(slot) = finite_or(y[place], far_away);
+      columns.vx(slot) = finite_or(vx[i], 0);
+      columns.vy(slot) = finite_or(vy[i], 0);
+      finish(slot, i);
+    });
+  }
+
+  /// A number, or what takes its place when it is none: 0 x NaN would reach the others of its pack.
+  static double finite_or(double value, double instead) { return std::isfinite(value) ? value : instead; }
 
   [[nodiscard]] Index slots() const { return count_ + static_cast<Index>(images_.size()); }
   [[nodiscard]] bool is_image(Index slot) const { return grid.id(slot) >= count_; }
@@ -41,7 +60,11 @@ class FluidArrangement {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  static constexpr double far_away = 1e100;  ///< and yet (v d)^2 is a number [L]
+
+  void sort(const Particles& particles, int threads);
   void add_images(int axis);
+  [[nodiscard]] bool periodic() const { return period_.length.x > 0 || period_.length.y > 0; }
 
   double support_;
   Period period_;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cmath>
+#include <array>
 
 #include "common/laws/law.hpp"
 #include "common/neighbours/cell_grid.hpp"
-#include "common/simulation/parallel.hpp"
 
 namespace clapotis {
 
@@ -22,16 +21,6 @@ struct FluidColumns {
   [[nodiscard]] FluidParticle<double> at(Index slot) const { return particle<double>(slot); }
   [[nodiscard]] FluidParticle<Pack> at(Run slots) const { return particle<Pack>(slots); }
 
-  /// sorted = column in the order of the grid. `instead` takes the place of what is not a number: 0 x NaN
-  /// would reach the others of its pack.
-  template <class Order>
-  static void gather(Column& sorted, Index slots, const double* column, double instead, int threads,
-                     const Order& id) {
-    for_each(slots, threads, [&](Index slot) {
-      const double value = column[id(slot)];
-      sorted(slot) = std::isfinite(value) ? value : instead;
-    });
-  }
   [[nodiscard]] std::size_t bytes() const { return 7 * static_cast<std::size_t>(x.size()) * sizeof(double); }
 
  private:

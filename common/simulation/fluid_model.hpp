@@ -52,7 +52,6 @@ class FluidModel final : public Model {
       const PhaseTimer timer(timed, seconds.density);
       sum_density(s.particles);
     }
-    press();
     {
       const PhaseTimer timer(timed, seconds.walls);
       wet_walls();
@@ -76,9 +75,6 @@ class FluidModel final : public Model {
     laws_.settle(s, dt);
     sorted_.period().wrap(s.position);
   }
-  /// The density that the walls took from the fluid beside them: the equation of continuity reads it.
-  [[nodiscard]] Column memory() const override { return walls_.columns.volume; }
-  void recall(const Column& memory) override { walls_.columns.volume = memory; }
   void refresh(Parameters& p) override {
     laws_.refresh(p);
     fluid_ = Fluid::from(p);
@@ -127,17 +123,19 @@ class FluidModel final : public Model {
 
   void arrange(const Particles& particles) {
     const PhaseTimer timer(timed, seconds.neighbours);
-    sorted_.build(particles, threads);
-    if (form_ == DensityForm::summation) return;
-    sorted_.gather_density(particles.density, fluid_.state.reference_density, threads);
-    sorted_.columns.volume = fluid_.mass / sorted_.columns.density;
+    if (form_ == DensityForm::continuity)
+      sorted_.build(particles, threads,
+                    [&](Index slot, Index i) { take_density(slot, particles.density(i)); });
+    else
+      sorted_.build(particles, threads, [](Index, Index) {});
   }
 
-  /// p by the Cole equation.
-  void press() {
+  /// V = m/rho, and p by the Cole equation.
+  void take_density(Index slot, double density) {
     auto& c = sorted_.columns;
-    for_each(sorted_.slots(), threads,
-             [&](Index slot) { c.pressure(slot) = fluid_.state.pressure(c.density(slot)); });
+    c.density(slot) = FluidArrangement::finite_or(density, fluid_.state.reference_density);
+    c.volume(slot) = fluid_.mass / c.density(slot);
+    c.pressure(slot) = fluid_.state.pressure(c.density(slot));
   }
 
   /// Calls meet(j, d, r, 1/r) for the packs of fluid particles around r.
@@ -167,8 +165,8 @@ class FluidModel final : public Model {
       if (sorted_.is_image(slot)) return;
       particles.density(sorted_.id(slot)) = fluid_.mass * sum_of_kernels(sorted_.columns.position(slot));
     });
-    sorted_.gather_density(particles.density, fluid_.state.reference_density, threads);
-    sorted_.columns.volume = fluid_.mass / sorted_.columns.density;
+    for_each(sorted_.slots(), threads,
+             [&](Index slot) { take_density(slot, particles.density(sorted_.id(slot))); });
   }
   [[gnu::flatten]] double sum_of_kernels(const Vector& r) const {
     Pack total(0.0);
@@ -204,10 +202,10 @@ class FluidModel final : public Model {
     });
     const double spread = diffusion_ * sum(diffusion);
     rate(sorted_.id(slot)) = i.density * sum(compression) + spread;
-    return -i.volume * fluid_.state.pressure(i.density) / i.density * spread;
+    return -i.volume * i.pressure / i.density * spread;
   }
 
-  /// Pressure, density and mirrored velocity of the walls' particles, from the fluid beside them.
+  /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.
   void wet_walls() {
     for_each(walls_.size(), threads, [&](Index slot) { wet_wall(slot); });
   }
@@ -226,8 +224,6 @@ class FluidModel final : public Model {
     auto& c = walls_.columns;
     const double total = sum(weights), p = total > 0 ? sum(pressure) / total : 0;
     c.pressure(slot) = fluid_.state.tension || !(p < 0) ? p : 0;
-    c.density(slot) = fluid_.state.density(c.pressure(slot));
-    c.volume(slot) = fluid_.mass / c.density(slot);
     if constexpr (velocities) {
       c.vx(slot) = total > 0 ? -sum(velocity.x) / total : 0;
       c.vy(slot) = total > 0 ? -sum(velocity.y) / total : 0;

@@ -63,9 +63,6 @@ class Model {
   virtual void evaluate_density_rate(System& /*system*/) {}
   /// After each step: walls. The only place where a state is changed other than by the integrator.
   virtual void settle(System& system, double dt) = 0;
-  /// What an evaluation leaves for later ones besides the state; a state that is put back wants it back too.
-  [[nodiscard]] virtual Column memory() const { return {}; }
-  virtual void recall(const Column& /*memory*/) {}
   /// Reads the parameters again, after one of them changed.
   virtual void refresh(Parameters& parameters) = 0;
 

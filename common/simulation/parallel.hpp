@@ -22,10 +22,13 @@ void for_each(Index n, int threads, const Act& act) {
 inline constexpr Index block_size = 4096;
 inline std::size_t blocks_of(Index n) { return static_cast<std::size_t>((n + block_size - 1) / block_size); }
 
+/// So few rows are moved sooner than another thread wakes up.
+inline constexpr Index worth_waking = 10 * block_size;
+
 /// Calls act(first, count) for blocks of rows that together are 0..n-1, shared between threads.
 template <class Act>
 void for_blocks(Index n, int threads, const Act& act) {
-  if (threads == 1 || n <= block_size) {
+  if (threads == 1 || n < worth_waking) {
     act(Index{0}, n);
     return;
   }

@@ -30,7 +30,6 @@ std::string about(std::string_view sentence, double dt, const StepLimit& limit) 
 /// A state to go back to. The steps from it to any later one can be repeated bit for bit.
 struct Simulation::Checkpoint {
   Particles particles;
-  Column memory;  ///< of the model
   double time, dissipated, dissipation;
   bool current;
   long force_evaluations, steps;
@@ -187,7 +186,6 @@ void Simulation::keep() {
   const auto& s = *system_;
   auto& c = *checkpoint_;
   c.particles = s.particles;
-  c.memory = s.model.memory();
   c.time = s.time;
   c.dissipated = s.dissipated_energy;
   c.dissipation = s.dissipation;
@@ -205,7 +203,6 @@ void Simulation::go_back(long steps) {
   auto& s = *system_;
   const auto& c = *checkpoint_;
   s.particles = c.particles;
-  s.model.recall(c.memory);
   s.time = c.time;
   s.dissipated_energy = c.dissipated;
   s.dissipation = c.dissipation;
@@ -225,13 +222,11 @@ void Simulation::go_back(long steps) {
 void Simulation::look(const std::function<void(const System&)>& look) {
   auto& s = *system_;
   const Vectors acceleration = s.acceleration;
-  const Column memory = s.model.memory();
   const double dissipation = s.dissipation;
   const auto coincident = s.model.coincident;
   s.model.evaluate(s, s.time);
   s.model.coincident = coincident;
   look(s);
-  s.model.recall(memory);
   s.acceleration = acceleration;
   s.dissipation = dissipation;
 }
