@@ -55,6 +55,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
     system_->current = true;
   }
   choose_step();
+  bound_speed();
   if (const auto* broken = broken_limit(dt_, limits_))
     warnings_.push_back(about(words().beyond_limit, dt_, *broken));
   keep();
@@ -78,15 +79,19 @@ void Simulation::choose_step() {
   const double c = setup_.fluid ? setup_.fluid->state.sound_speed : falling_sound_speed(parameters_);
   if (!setup_.fluid)
     limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
-  const double dt = choose_dt(parameters_.number(step_parameter), limits);
+  dt_ = choose_dt(parameters_.number(step_parameter), limits);
+  limits_ = std::move(limits);
+  sound_speed_ = c;
+}
+
+/// From what is there at the start, or after a change by hand. What a run brings by itself must not raise it:
+/// speeds that grow step by step would never be too high.
+void Simulation::bound_speed() {
   // what the springs hold, and what a heavy particle moves with, may become the speed of the lightest
   const double least = particles().least_mass(), heavier = std::sqrt(particles().greatest_mass() / least);
   const double v = heavier * max_speed(particles());
   const double elastic = setup_.model->stored_energy(particles()).elastic;
-  dt_ = dt;
-  limits_ = std::move(limits);
-  sound_speed_ = c;
-  fastest_ = std::max({fastest_, heavier * c, 10 * std::sqrt(v * v + 2 * elastic / least)});
+  fastest_ = std::max({fastest_, heavier * sound_speed_, 10 * std::sqrt(v * v + 2 * elastic / least)});
 }
 
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }
@@ -100,6 +105,7 @@ void Simulation::set(std::string_view name, std::string_view value) {
     parameters_.set(name, value, Origin::window);
     setup_.model->refresh(parameters_);
     choose_step();
+    bound_speed();
   } catch (...) {
     parameters_ = before;
     setup_.model->refresh(parameters_);
