@@ -44,7 +44,7 @@ constexpr Words english{
     .diverged = "diverged at step {step}, t = {time} s, particle {particle}: {cause}",
     .diverged_speed =
         "its speed {speed} {unit} is beyond all that the scene's energy allows ({bound} {unit})",
-    .diverged_nan = "its position or velocity is not a number",
+    .diverged_nan = "its position, velocity or density is not a number",
     .cause_limit = "; dt = {dt} s is {ratio} times the {limit} limit {formula}",
     .cause_scheme =
         "; {integrator} is not stable here at dt = {dt} s: take a smaller dt or another integrator",

@@ -161,13 +161,16 @@ void Simulation::advance(double dt) {
 
 void Simulation::check(double dt) {
   const double speed = max_speed(particles());
-  const bool finite = std::isfinite(speed) && particles().position.allFinite();
+  const auto& density = particles().density;
+  const bool finite = std::isfinite(speed) && particles().position.allFinite() && density.allFinite();
   if (finite && (speed <= fastest_ || fastest_ == 0)) return;
 
   Index particle = 0;
   for (Index i = 0; i < particles().size(); ++i) {
     const Vector r = row(particles().position, i), v = row(particles().velocity, i);
-    if (finite ? dot(v, v) > fastest_ * fastest_ : !std::isfinite(dot(v, v)) || !std::isfinite(r.x + r.y)) {
+    const double rho = density.size() > 0 ? density(i) : 0;
+    if (finite ? dot(v, v) > fastest_ * fastest_
+               : !std::isfinite(dot(v, v)) || !std::isfinite(r.x + r.y + rho)) {
       particle = i;
       break;
     }
