@@ -54,6 +54,8 @@ constexpr Words english{
         "taken from their ids",
     .warn_folded =
         "a particle met the walls more often in one step than is followed (times: {count}); its "
+    .warn_coincident_fluid =
+        "two particles of the liquid were at one point (times: {count}); no pressure parts them",
         "reflections were counted instead",
     .unknown_option = "there is no option {option}, --help lists them all{hint}",
     .option_is_parameter = "there is no option {option}; for the parameter, write --set {name}=VALUE",

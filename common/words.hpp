@@ -19,7 +19,7 @@ struct Words {
   std::string_view any_finite, range_above, range_at_least, range_at_most, range_between, or_auto;
   // what a run says
   std::string_view diverged, diverged_speed, diverged_nan, cause_limit, cause_scheme, beyond_limit,
-      warn_coincident, warn_folded;
+      warn_coincident, warn_coincident_fluid, warn_folded;
   // runner: what a command line or a file gives and cannot be used
   std::string_view unknown_option, option_is_parameter, option_needs_value, option_takes_no_value,
       one_scene_at_a_time, set_without_equals, empty_value, no_seed, environment_ignored, needs_headless,

@@ -252,7 +252,8 @@ double Simulation::error() const {
 std::vector<std::string> Simulation::warnings() const {
   auto all = warnings_;
   if (model().coincident > 0)
-    all.push_back(say(words().warn_coincident, fmt::arg("count", model().coincident)));
+    all.push_back(say(setup_.fluid ? words().warn_coincident_fluid : words().warn_coincident,
+                      fmt::arg("count", model().coincident)));
   if (model().folded > 0) all.push_back(say(words().warn_folded, fmt::arg("count", model().folded)));
   return all;
 }
