@@ -165,7 +165,9 @@ class FluidModel final : public Model {
   void sum_density(Particles& particles) {
     for_each(sorted_.slots(), threads, [&](Index slot) {
       if (sorted_.is_image(slot)) return;
-      particles.density(sorted_.id(slot)) = fluid_.mass * sum_of_kernels(sorted_.columns.position(slot));
+      // everyone finds itself, but for one without a place, whose volume must stay finite
+      const double sum = max(sum_of_kernels(sorted_.columns.position(slot)), kernel_.value(0.0));
+      particles.density(sorted_.id(slot)) = fluid_.mass * sum;
     });
     sorted_.gather_density(particles.density, fluid_.state.reference_density, threads);
     sorted_.columns.volume = fluid_.mass / sorted_.columns.density;
