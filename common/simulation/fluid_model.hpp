@@ -85,10 +85,17 @@ class FluidModel final : public Model {
     read(p);
   }
   [[nodiscard]] StoredEnergy stored_energy(const Particles& particles) override {
-    return {.potential = laws_.potential(particles, threads),
-            .internal = sum_over(particles.size(), threads, [&](Index i, std::size_t) {
-              return fluid_.mass * fluid_.state.energy(particles.density(i));
-            })};
+    // a sum of densities is that of the places as they stand, which may have changed since it was taken
+    const bool sums = form_ == DensityForm::summation;
+    if (sums) sorted_.build(particles, threads);
+    return {
+        .potential = laws_.potential(particles, threads),
+        .internal = sum_over(sums ? sorted_.slots() : particles.size(), threads, [&](Index k, std::size_t) {
+          if (sums && sorted_.is_image(k)) return 0.0;
+          const double density =
+              sums ? fluid_.mass * sum_of_kernels(sorted_.columns.position(k)) : particles.density(k);
+          return fluid_.mass * fluid_.state.energy(density);
+        })};
   }
   [[nodiscard]] std::vector<StepLimit> limits(const Particles& particles) const override {
     return laws_.limits(particles);
