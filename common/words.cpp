@@ -35,6 +35,8 @@ constexpr Words english{
     .other_unit = "{name} = {value} is in {given}, but this scene's {name} is in {unit}",
     .from_place = "{place}: {sentence}",
     .threads_out_of_range = "threads = {value} is out of range: threads must be at least 1",
+    .spacing_too_large = "spacing = {value} leaves no room for a single particle",
+    .spacing_too_small = "spacing = {value} makes room for more than {most} particles",
     .any_finite = "any finite number",
     .range_above = "> {low}",
     .range_at_least = ">= {low}",
@@ -44,7 +46,7 @@ constexpr Words english{
     .diverged = "diverged at step {step}, t = {time} s, particle {particle}: {cause}",
     .diverged_speed =
         "its speed {speed} {unit} is beyond all that the scene's energy allows ({bound} {unit})",
-    .diverged_nan = "its position or velocity is not a number",
+    .diverged_nan = "its position, velocity or density is not a number",
     .cause_limit = "; dt = {dt} s is {ratio} times the {limit} limit {formula}",
     .cause_scheme =
         "; {integrator} is not stable here at dt = {dt} s: take a smaller dt or another integrator",
@@ -52,6 +54,8 @@ constexpr Words english{
     .warn_coincident =
         "two particles were at one point (times: {count}); they were pushed apart in a direction "
         "taken from their ids",
+    .warn_coincident_fluid =
+        "two particles of the liquid were at one point (times: {count}); no pressure parts them",
     .warn_folded =
         "a particle met the walls more often in one step than is followed (times: {count}); its "
         "reflections were counted instead",

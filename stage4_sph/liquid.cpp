@@ -6,6 +6,8 @@
 #include "common/kernels/cubic_spline.hpp"
 #include "common/kernels/lattice.hpp"
 #include "common/kernels/wendland_c2.hpp"
+#include "common/simulation/errors.hpp"
+#include "common/words.hpp"
 #include "stage4_sph/parameters.hpp"
 
 namespace clapotis::stage4 {
@@ -15,6 +17,14 @@ namespace {
 double lattice_sum(const Parameters& p, double h, double spacing) {
   return p.value("kernel") == 0 ? lattice_sums(CubicSpline(h), spacing).value
                                 : lattice_sums(WendlandC2(h), spacing).value;
+}
+
+/// So many particles fit in no memory, and would be long in the making.
+void require_room(double spacing, double across, double up) {
+  constexpr double most = 1e8;
+  if (across > 0 && up > 0 && across * up > most)
+    throw BadInput(
+        say(words().spacing_too_small, fmt::arg("value", to_text(spacing)), fmt::arg("most", to_text(most))));
 }
 
 }  // namespace
@@ -39,6 +49,7 @@ Fluid liquid(Parameters& p, double fastest) {
 Tank tank(Parameters& p, const Fluid& fluid) {
   const double width = p.number(tank_width), height = p.number(tank_height);
   const double support = 2 * fluid.h;
+  require_room(fluid.spacing, width / fluid.spacing, height / fluid.spacing);
   if (p.choice(wall_form) == "reflect") return {width, height, {}};
   return {width, height, DummyWalls(tank_walls(0, width, 0, height, fluid.spacing, support), fluid, support)};
 }
@@ -57,12 +68,15 @@ Vectors lattice(double spacing, const Vector& origin, const Vector& low, const V
                 const std::function<bool(Vector)>& inside) {
   const auto first = [&](double from, double at) { return std::ceil((from - at) / spacing - 1e-9); };
   const auto last = [&](double to, double at) { return std::floor((to - at) / spacing + 1e-9); };
+  require_room(spacing, last(high.x, origin.x) - first(low.x, origin.x) + 1,
+               last(high.y, origin.y) - first(low.y, origin.y) + 1);
   std::vector<Vector> all;
   for (double b = first(low.y, origin.y); b <= last(high.y, origin.y); ++b)
     for (double a = first(low.x, origin.x); a <= last(high.x, origin.x); ++a) {
       const Vector r{origin.x + a * spacing, origin.y + b * spacing};
       if (inside(r)) all.push_back(r);
     }
+  if (all.empty()) throw BadInput(say(words().spacing_too_large, fmt::arg("value", to_text(spacing))));
   Vectors places(static_cast<Index>(all.size()), 2);
   for (Index i = 0; i < places.rows(); ++i) {
     const auto& r = all[static_cast<std::size_t>(i)];

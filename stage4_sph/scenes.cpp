@@ -114,8 +114,10 @@ Setup square_patch(Parameters& p) {
 
 /// A periodic lattice at rest but for a small disturbance, which stays small in a stable step.
 Setup acoustic(Parameters& p) {
-  const double side = p.number(patch_side);
   const Fluid fluid = liquid(p, 0.1);
+  auto at_least_one_support = patch_side;  // a particle would miss images of the others
+  at_least_one_support.range = {.low = 2 * fluid.h};
+  const double side = p.number(at_least_one_support);
   Setup setup{.particles = particles_at(block(fluid.spacing, 0, side, 0, side), p),
               .model = free_model(p, {.corner = {0, 0}, .length = {side, side}}),
               .radius = fluid.spacing / 2,

@@ -81,10 +81,17 @@ class FluidModel final : public Model {
     read(p);
   }
   [[nodiscard]] StoredEnergy stored_energy(const Particles& particles) override {
-    return {.potential = laws_.potential(particles, threads),
-            .internal = sum_over(particles.size(), threads, [&](Index i, std::size_t) {
-              return fluid_.mass * fluid_.state.energy(particles.density(i));
-            })};
+    // a sum of densities is that of the places as they stand, which may have changed since it was taken
+    const bool sums = form_ == DensityForm::summation;
+    if (sums) sorted_.build(particles, threads);
+    return {
+        .potential = laws_.potential(particles, threads),
+        .internal = sum_over(sums ? sorted_.slots() : particles.size(), threads, [&](Index k, std::size_t) {
+          if (sums && sorted_.is_image(k)) return 0.0;
+          const double density =
+              sums ? fluid_.mass * sum_of_kernels(sorted_.columns.position(k)) : particles.density(k);
+          return fluid_.mass * fluid_.state.energy(density);
+        })};
   }
   [[nodiscard]] std::vector<StepLimit> limits(const Particles& particles) const override {
     return laws_.limits(particles);
@@ -163,7 +170,9 @@ class FluidModel final : public Model {
   void sum_density(Particles& particles) {
     for_each(sorted_.slots(), threads, [&](Index slot) {
       if (sorted_.is_image(slot)) return;
-      particles.density(sorted_.id(slot)) = fluid_.mass * sum_of_kernels(sorted_.columns.position(slot));
+      // everyone finds itself, but for one without a place, whose volume must stay finite
+      const double sum = max(sum_of_kernels(sorted_.columns.position(slot)), kernel_.value(0.0));
+      particles.density(sorted_.id(slot)) = fluid_.mass * sum;
     });
     for_each(sorted_.slots(), threads,
              [&](Index slot) { take_density(slot, particles.density(sorted_.id(slot))); });

@@ -54,6 +54,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
     system_->current = true;
   }
   choose_step();
+  bound_speed();
   if (const auto* broken = broken_limit(dt_, limits_))
     warnings_.push_back(about(words().beyond_limit, dt_, *broken));
   keep();
@@ -77,15 +78,19 @@ void Simulation::choose_step() {
   const double c = setup_.fluid ? setup_.fluid->state.sound_speed : falling_sound_speed(parameters_);
   if (!setup_.fluid)
     limits.insert(limits.begin(), acoustic_limit(setup_.radius, c, parameters_.number(cfl_parameter)));
-  const double dt = choose_dt(parameters_.number(step_parameter), limits);
+  dt_ = choose_dt(parameters_.number(step_parameter), limits);
+  limits_ = std::move(limits);
+  sound_speed_ = c;
+}
+
+/// From what is there at the start, or after a change by hand. What a run brings by itself must not raise it:
+/// speeds that grow step by step would never be too high.
+void Simulation::bound_speed() {
   // what the springs hold, and what a heavy particle moves with, may become the speed of the lightest
   const double least = particles().least_mass(), heavier = std::sqrt(particles().greatest_mass() / least);
   const double v = heavier * max_speed(particles());
   const double elastic = setup_.model->stored_energy(particles()).elastic;
-  dt_ = dt;
-  limits_ = std::move(limits);
-  sound_speed_ = c;
-  fastest_ = std::max({fastest_, heavier * c, 10 * std::sqrt(v * v + 2 * elastic / least)});
+  fastest_ = std::max({fastest_, heavier * sound_speed_, 10 * std::sqrt(v * v + 2 * elastic / least)});
 }
 
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }
@@ -99,6 +104,7 @@ void Simulation::set(std::string_view name, std::string_view value) {
     parameters_.set(name, value, Origin::window);
     setup_.model->refresh(parameters_);
     choose_step();
+    bound_speed();
   } catch (...) {
     parameters_ = before;
     setup_.model->refresh(parameters_);
@@ -154,13 +160,16 @@ void Simulation::advance(double dt) {
 
 void Simulation::check(double dt) {
   const double speed = max_speed(particles());
-  const bool finite = std::isfinite(speed) && particles().position.allFinite();
+  const auto& density = particles().density;
+  const bool finite = std::isfinite(speed) && particles().position.allFinite() && density.allFinite();
   if (finite && (speed <= fastest_ || fastest_ == 0)) return;
 
   Index particle = 0;
   for (Index i = 0; i < particles().size(); ++i) {
     const Vector r = row(particles().position, i), v = row(particles().velocity, i);
-    if (finite ? dot(v, v) > fastest_ * fastest_ : !std::isfinite(dot(v, v)) || !std::isfinite(r.x + r.y)) {
+    const double rho = density.size() > 0 ? density(i) : 0;
+    if (finite ? dot(v, v) > fastest_ * fastest_
+               : !std::isfinite(dot(v, v)) || !std::isfinite(r.x + r.y + rho)) {
       particle = i;
       break;
     }
@@ -238,7 +247,8 @@ double Simulation::error() const {
 std::vector<std::string> Simulation::warnings() const {
   auto all = warnings_;
   if (model().coincident > 0)
-    all.push_back(say(words().warn_coincident, fmt::arg("count", model().coincident)));
+    all.push_back(say(setup_.fluid ? words().warn_coincident_fluid : words().warn_coincident,
+                      fmt::arg("count", model().coincident)));
   if (model().folded > 0) all.push_back(say(words().warn_folded, fmt::arg("count", model().folded)));
   return all;
 }

@@ -76,6 +76,7 @@ class Simulation {
   };
 
   void choose_step();
+  void bound_speed();
   void advance(double dt);
   void check(double dt);
   void keep();

@@ -30,7 +30,7 @@ inline double difference(const Column& computed, const Sums& exact) {
 /// A liquid as its parameters describe it, in a plane that repeats itself with `period`; 0: it does not.
 struct Liquid {
   bool wendland, sum, tension, sticks;
-  double h, m, rho0, c, gamma, alpha, delta, nu, g;
+  double h, dx, m, rho0, c, gamma, alpha, delta, nu, epsilon, g;
   Vector period{0, 0};
 
   static Liquid from(const Parameters& p) {
@@ -41,6 +41,7 @@ struct Liquid {
             .tension = word("tension") == "yes",
             .sticks = word("slip") == "no",
             .h = number("smoothing_length"),
+            .dx = number("spacing"),
             .m = number("particle_mass"),
             .rho0 = number("reference_density"),
             .c = number("sound_speed"),
@@ -48,6 +49,7 @@ struct Liquid {
             .alpha = number("alpha"),
             .delta = number("delta"),
             .nu = number("nu"),
+            .epsilon = number("epsilon"),
             .g = number("gravity")};
   }
 
@@ -99,7 +101,8 @@ inline void each_within(const Liquid& liquid, const Vector& at, const Vectors& o
 }
 
 /// Continuity and sum of densities, Monaghan 2005; diffusion, Molteni & Colagrossi 2009 and Fourtakas et al.
-/// 2019; walls, Adami, Hu & Adams 2012; viscosities, Monaghan & Gingold 1983 and Morris, Fox & Zhu 1997.
+/// 2019; walls, Adami, Hu & Adams 2012; viscosities, Monaghan & Gingold 1983 and Morris, Fox & Zhu 1997;
+/// tensile correction, Monaghan 2000.
 inline BruteForce brute_force(const Liquid& l, const Vectors& r, const Vectors& v, const Column& density,
                               const Vectors& walls) {
   const Index n = r.rows(), n_walls = walls.rows();
@@ -165,6 +168,10 @@ inline BruteForce brute_force(const Liquid& l, const Vectors& r, const Vectors& 
 
       const double pushed = -l.m * pull(p(i), rho(i), p(j), rho(j)) * slope;
       accelerate(pushed * ux, pushed * uy);
+      const double strained = std::max(-p(i), 0.0) + std::max(-p(j), 0.0);
+      const double parted =
+          -l.m * l.epsilon * strained / (rho(i) * rho(j)) * std::pow(l.w(distance) / l.w(l.dx), 4) * slope;
+      accelerate(parted * ux, parted * uy);
       const double mu = closing < 0 ? l.h * closing / distance : 0;
       const double braked = l.m * l.alpha * l.rho0 * l.c * mu / (rho(i) * rho(j)) * slope;
       accelerate(braked * ux, braked * uy);

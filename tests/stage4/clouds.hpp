@@ -16,6 +16,7 @@ struct Cloud {
   Column density = {};     ///< [kg/m^3]; where it is a sum, and where this is empty, it is not set
   bool in_tank = false;    ///< with weight, in a tank whose walls are as the parameters say
   Vector period = {0, 0};  ///< of the plane, without a tank [m]
+  bool corrected = false;  ///< with the tensile correction, without a tank
   double fastest = 1;      ///< a tenth of the sound speed [m/s]
 };
 
@@ -32,6 +33,8 @@ inline Cloud random_cloud(double side, std::uint64_t seed, double spacing = 0.05
 /// The scene of the cloud: the liquid of stage 4, its laws, and its parameters.
 inline Scene scene_of(Cloud cloud) {
   const auto build = [cloud = std::move(cloud)](Parameters& p) {
+    if (cloud.corrected)
+      p.number({.name = "epsilon", .symbol = "", .unit = "", .value = 0.2, .range = not_negative});
     const Fluid fluid = stage4::liquid(p, cloud.fastest);
     Setup setup{.particles = stage4::particles_at(cloud.position, p),
                 .model = nullptr,

@@ -89,6 +89,15 @@ TEST_CASE("a liquid that bears no tension obeys the formulas with pressures of 0
   compare(cloud, values);
 }
 
+TEST_CASE("a liquid under tension obeys the formulas with what keeps it from clumping", "[stage4]") {
+  const std::string kernel = GENERATE("cubic_spline", "wendland_c2");
+  const std::string density = GENERATE("continuity", "summation");
+  Cloud cloud = random_cloud(1, 10);
+  cloud.corrected = true;
+  CAPTURE(kernel, density);
+  compare(cloud, {{"kernel", kernel}, {"density", density}, {"tension", "yes"}, {"epsilon", 0.7}});
+}
+
 TEST_CASE("any number of particles gives the sums of the formulas, also fewer than a pack holds",
           "[stage4]") {
   const std::string density = GENERATE("continuity", "summation");

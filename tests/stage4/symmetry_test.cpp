@@ -67,7 +67,9 @@ TEST_CASE("a liquid that crosses the edges of a periodic plane keeps its momentu
       GENERATE("explicit_euler", "symplectic_euler", "velocity_verlet", "rk2", "rk4");
   Cloud cloud{.position = stage4::block(0.05, 0, 1, 0, 1), .velocity = random_points(400, {0, 1, -1, 1}, 2)};
   cloud.period = {1, 1};
-  Simulation sim(scene_of(cloud), typed({{"density", density}, {"tension", "yes"}}), integrator);
+  const double cfl = integrator == "explicit_euler" ? 0.2 : 1;  // it would not last
+  Simulation sim(scene_of(cloud), typed({{"density", density}, {"tension", "yes"}, {"cfl", cfl}}),
+                 integrator);
   const auto start = momenta(sim.particles());
   run_steps(sim, 50);
   const auto end = momenta(sim.particles());
