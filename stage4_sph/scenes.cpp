@@ -45,7 +45,8 @@ Setup still_water(Parameters& p) {
               .radius = fluid.spacing / 2,
               .view = {0, tank.width, 0, tank.height},
               .reference = hydrostatic_pressure(at_rest(p), height),
-              .fluid = fluid};
+              .fluid = fluid,
+              .colour_by = "pressure"};
   rest_under_weight(setup.particles, p, height);
   return setup;
 }
@@ -104,7 +105,8 @@ Setup square_patch(Parameters& p) {
               .model = free_model(p),
               .radius = fluid.spacing / 2,
               .view = {-side, side, -side, side},
-              .fluid = fluid};
+              .fluid = fluid,
+              .colour_by = "pressure"};
   setup.particles.velocity.col(0) = omega * setup.particles.position.col(1);
   setup.particles.velocity.col(1) = -omega * setup.particles.position.col(0);
   return setup;

@@ -41,6 +41,7 @@ struct Setup {
   std::optional<Fluid> fluid = {};  ///< what the particles are, in stage 4 and on
   bool has_front = false;           ///< whether the largest x of all particles is of interest
   bool locate_impacts = false;      ///< find each impact inside the step, instead of clamping after it
+  std::string colour_by = "speed";  ///< what pictures of the scene show first: see `colourings`
 };
 
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all
