@@ -21,7 +21,8 @@ struct Reference {
   std::string source;  ///< author, year, or how it follows
   /// Error of the state as it stands; NaN where the reference does not hold (any more).
   std::function<double(const System&)> error;
-  /// Where the reference has the particles at time t, n x 2: drawn beside them.
+  /// Where the reference has the particles at time t, n x 2: drawn beside them. Another number of points is
+  /// the outline of all.
   std::function<Vectors(double t)> positions;
 };
 

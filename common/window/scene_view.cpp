@@ -6,7 +6,7 @@
 
 #include "common/runner/ink.hpp"
 #include "common/runner/save_sheet.hpp"
-#include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 
