@@ -92,10 +92,12 @@ constexpr Words english{
         "{folder}: {reason} at t = {time} s\n"
         "  steps     {steps} of {dt} s with {integrator}, N = {particles}\n",
     .summary_cost =
-        "  cost      {cpu} of processor time, {step} per step, {rate} particle updates per second\n",
+        "  cost      {cpu} of processor time (x{speed} real time), {step} per step, {rate} particle updates "
+        "per "
+        "second\n",
     .summary_energy =
         "  energy    mechanical {start} to {end} {unit}; total drifts by {drift} of its start\n",
-    .summary_error = "  error     {measure} = {error} {unit} at the end, {largest} at most ({reference})\n",
+    .summary_error = "  error     {measure} = {error}{unit} at the end, {largest} at most ({reference})\n",
     .summary_warning = "  warning   {warning}\n",
     .stopped_done = "done",
     .stopped_interrupted = "interrupted",
@@ -112,6 +114,7 @@ constexpr Words english{
     .kinetic = "kinetic",
     .potential = "potential",
     .elastic = "elastic",
+    .internal = "compression",
     .mechanical = "mechanical",
     .total = "with what was lost",
     .chosen_particle = "particle {id}: {count} neighbours",
@@ -200,6 +203,8 @@ constexpr Words english{
             .type_hint = "{meaning}\n{allowed}\nCtrl-click or right-click to type a value",
             .time_step = "Time step",
             .share_of_limit = "{share} % of the limit {limit} s\n{name}: {formula}",
+            .close_to_instability = "close to the limit of stability",
+            .beyond_stability = "beyond the limit: expect the run to diverge",
             .view = "View",
             .colour_by = "colour",
             .lock_range = "lock",
@@ -209,6 +214,7 @@ constexpr Words english{
             .cost = "Cost",
             .particles = "N = {count}",
             .step_cost = "{time} per step",
+            .real_time = "x{factor} real time",
             .pairs_near = "{count} pairs in reach",
             .pairs_tested = "of {count} tested",
             .frames = "{count} frames/s",
@@ -216,6 +222,7 @@ constexpr Words english{
             .particle = "particle {id}",
             .position = "r",
             .velocity = "v",
+            .speed_of_particle = "|v|",
             .acceleration = "a",
             .tested = "{count} tested",
             .near = "{count} in reach",
@@ -279,6 +286,8 @@ const std::map<std::string_view, std::string_view>& meanings() {
 }  // namespace
 
 const Words& words() { return english; }
+
+std::string_view called(std::string_view name) { return name == "density_error" ? "density error" : name; }
 
 std::string_view meaning(std::string_view name) {
   const auto found = meanings().find(name);

@@ -33,7 +33,7 @@ struct Words {
       stopped_done, stopped_interrupted, stopped_diverged;
   // runner: tables, plots, pictures
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
-      column_meaning, plot_energies, plot_error, kinetic, potential, elastic, mechanical, total,
+      column_meaning, plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total,
       chosen_particle;
   // runner: comparison
   std::string_view compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
@@ -50,18 +50,19 @@ struct Words {
   struct Window {
     // the buttons and the rows of the panel
     std::string_view run, pause, step, reset, speed, slower_than_asked, scene, seed, integrator, live,
-        restart, defaults, automatic, type_hint, time_step, share_of_limit, view, colour_by, lock_range, grid,
-        vectors, plots, cost, particles, step_cost, pairs_near, pairs_tested, frames, frame_cost;
+        restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
+        beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
+        real_time, pairs_near, pairs_tested, frames, frame_cost;
     // what is painted over the scene
-    std::string_view particle, position, velocity, acceleration, tested, near, velocity_scale, diverged,
-        try_another;
+    std::string_view particle, position, velocity, speed_of_particle, acceleration, tested, near,
+        velocity_scale, diverged, try_another;
     // notices
     std::string_view picture_saved;
     // the help
-    std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag,
-        key_control_click, does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock,
-        does_grid, does_neighbour, does_vectors, does_plots, does_panel, does_view, does_picture, does_help,
-        does_quit, does_select, does_zoom, does_pan, does_type;
+    std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag, key_control_click,
+        does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
+        does_neighbour, does_vectors, does_plots, does_panel, does_view, does_picture, does_help, does_quit,
+        does_select, does_zoom, does_pan, does_type;
   } window;
 };
 
@@ -73,6 +74,10 @@ template <class... Args>
 std::string say(std::string_view sentence, const Args&... args) {
   return fmt::format(fmt::runtime(sentence), args...);
 }
+
+/// What a name of the code is called where a person chooses from a list: "density_error" is "density error".
+/// The name itself when the table has no line for it.
+std::string_view called(std::string_view name);
 
 /// What a quantity is called in the panel and the help: "gravity" gives "weight per unit of mass". The name
 /// itself when the table has no line for it, so that a new law needs none.

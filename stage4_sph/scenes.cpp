@@ -44,7 +44,8 @@ Setup still_water(Parameters& p) {
               .radius = fluid.spacing / 2,
               .view = {0, tank.width, 0, tank.height},
               .reference = hydrostatic_pressure(at_rest(p), height),
-              .fluid = fluid};
+              .fluid = fluid,
+              .colour_by = "pressure"};
   rest_under_weight(setup.particles, p, height);
   return setup;
 }
@@ -106,7 +107,8 @@ Setup square_patch(Parameters& p) {
               .radius = fluid.spacing / 2,
               .view = {-side, side, -side, side},
               .fluid = fluid,
-              .measures = {centre_pressure()}};
+              .measures = {centre_pressure()},
+              .colour_by = "pressure"};
   setup.particles.velocity.col(0) = omega * setup.particles.position.col(1);
   setup.particles.velocity.col(1) = -omega * setup.particles.position.col(0);
   return setup;

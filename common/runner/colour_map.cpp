@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace clapotis {
 namespace {
@@ -31,12 +32,30 @@ constexpr std::array<Colour, 52> viridis{{
     {0.993248F, 0.906157F, 0.143936F},
 }};
 
-constexpr const auto& table_of(ColourMap map) {
-  switch (map) {
-    case ColourMap::viridis:
-      break;
-  }
-  return viridis;
+/// From blue over a grey of lightness 82 to red, by the construction of K. Moreland, Diverging color maps for
+/// scientific visualization (2009), with his two ends; his own grey, of lightness 88, is lost on white paper.
+constexpr std::array<Colour, 17> cool_warm{{
+    {0.230F, 0.299F, 0.754F},
+    {0.338F, 0.396F, 0.830F},
+    {0.434F, 0.489F, 0.889F},
+    {0.521F, 0.573F, 0.927F},
+    {0.599F, 0.647F, 0.945F},
+    {0.667F, 0.709F, 0.940F},
+    {0.724F, 0.755F, 0.914F},
+    {0.769F, 0.786F, 0.867F},
+    {0.800F, 0.800F, 0.800F},
+    {0.872F, 0.767F, 0.736F},
+    {0.918F, 0.717F, 0.663F},
+    {0.939F, 0.650F, 0.582F},
+    {0.936F, 0.568F, 0.497F},
+    {0.909F, 0.472F, 0.408F},
+    {0.861F, 0.362F, 0.319F},
+    {0.792F, 0.233F, 0.232F},
+    {0.706F, 0.016F, 0.150F},
+}};
+
+constexpr std::span<const Colour> table_of(ColourMap map) {
+  return map == ColourMap::cool_warm ? std::span<const Colour>(cool_warm) : viridis;
 }
 
 Colour between(const Colour& a, const Colour& b, float share) {
@@ -48,7 +67,7 @@ Colour between(const Colour& a, const Colour& b, float share) {
 
 Colour at(ColourMap map, double value01) {
   if (std::isnan(value01)) return not_a_number;
-  const auto& table = table_of(map);
+  const auto table = table_of(map);
   const double place = std::clamp(value01, 0.0, 1.0) * double(table.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), table.size() - 2);
   return between(table[below], table[below + 1], static_cast<float>(place - double(below)));

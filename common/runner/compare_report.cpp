@@ -6,7 +6,7 @@
 
 #include "common/runner/parameter_json.hpp"
 #include "common/runner/result_json.hpp"
-#include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -57,9 +57,9 @@ constexpr std::array columns{
                   [](const auto&, const auto& l, const auto&) { return error(l); }},
     CompareColumn{"right_error", "of the reference",
                   [](const auto&, const auto&, const auto& r) { return error(r); }},
-    CompareColumn{"left_total_energy", "kg L^2/s^2",
+    CompareColumn{"left_total_energy", "energy",
                   [](const auto&, const auto& l, const auto&) { return total_energy(l); }},
-    CompareColumn{"right_total_energy", "kg L^2/s^2",
+    CompareColumn{"right_total_energy", "energy",
                   [](const auto&, const auto&, const auto& r) { return total_energy(r); }},
 };
 
@@ -95,7 +95,9 @@ Json difference_json(const Difference& d, double diagonal) {
 Json units_json(const Side& side) {
   Json units = Json::object();
   for (const auto& column : columns)
-    units[column.name] = with_length(column.unit, side.simulation->scene().length_unit);
+    units[column.name] = column.unit == "energy"
+                             ? energy_unit(*side.simulation)
+                             : with_length(column.unit, side.simulation->scene().length_unit);
   return units;
 }
 

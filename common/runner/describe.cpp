@@ -1,8 +1,10 @@
 #include "common/runner/describe.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "common/runner/series.hpp"
+#include "common/runner/ticks.hpp"
+#include "common/runner/units.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -18,30 +20,64 @@ Eigen::ArrayXd forces(Simulation& simulation) {
   return force;
 }
 
-/// Fills `value` and `colours`; both stay empty for plain discs.
-void colour(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint) {
+/// Which values the colours span.
+enum class Span { from_zero, around_zero, all };
+
+/// What the particles are coloured by; no values: plain.
+struct Quantity {
+  std::string label, unit;
+  Eigen::ArrayXd values;
+  Span span = Span::from_zero;
+};
+
+Quantity quantity(Simulation& simulation, const std::string& name) {
   const auto& particles = simulation.particles();
   const auto& length = simulation.scene().length_unit;
-  if (viewpoint.colour_by == "speed") {
-    picture.value = particles.velocity.square().rowwise().sum().sqrt();
-    picture.colours.label = "|v|";
-    picture.colours.unit = length + "/s";
-  } else if (viewpoint.colour_by == "force") {
-    picture.value = forces(simulation);
-    picture.colours.label = "|m a|";
-    picture.colours.unit = length == "m" ? "N" : with_length("kg L/s²", length);
-  } else {
-    for (const auto& column : particles.columns()) {
-      if (column.name != viewpoint.colour_by) continue;
-      picture.value = column.values;
-      picture.colours.label = column.name;
-      picture.colours.unit = with_length(column.unit, length);
-    }
+  const auto& fluid = simulation.setup().fluid;
+  if (name == "speed") return {"|v|", length + "/s", particles.velocity.square().rowwise().sum().sqrt()};
+  if (name == "force") return {"|m a|", printed(short_force_unit(simulation)), forces(simulation)};
+  if (name == "density_error" && fluid)
+    return {"ρ/ρ₀ − 1", "%", 100 * (particles.density / fluid->state.reference_density - 1),
+            Span::around_zero};
+  for (const auto& column : particles.columns()) {
+    if (column.name != name) continue;
+    const bool has_sign = name == "density" || (name == "pressure" && fluid && fluid->state.tension);
+    return {symbol(name), printed(short_unit(column.unit, length)), column.values,
+            has_sign ? Span::all : Span::from_zero};
   }
-  if (picture.value.size() == 0) return;
-  const double greatest = picture.value.isFinite().select(picture.value, 0.0).maxCoeff();
-  std::tie(picture.colours.lo, picture.colours.hi) =
-      viewpoint.range.value_or(std::pair{0.0, greatest > 0 ? greatest : 1.0});
+  return {};
+}
+
+/// Without the outermost half per cent at either end: one splash must not take all colours for itself.
+std::pair<double, double> bulk(const Eigen::ArrayXd& values) {
+  std::vector<double> finite;
+  for (const double value : values)
+    if (std::isfinite(value)) finite.push_back(value);
+  if (finite.empty()) return {0, 0};
+  const auto outside = static_cast<std::ptrdiff_t>(finite.size() / 200);
+  const auto least = finite.begin() + outside, greatest = finite.end() - 1 - outside;
+  std::nth_element(finite.begin(), least, finite.end());
+  const double lo = *least;
+  std::nth_element(finite.begin(), greatest, finite.end());
+  return {lo, *greatest};
+}
+
+std::pair<double, double> range_of(const Quantity& quantity) {
+  const auto [lo, hi] = bulk(quantity.values);
+  if (quantity.span == Span::all) return {lo, hi};
+  const double reach = quantity.span == Span::around_zero ? std::max(-lo, hi) : hi;
+  if (quantity.span == Span::around_zero) return {-reach, reach};
+  return {0, reach > 0 ? reach : 1};
+}
+
+void colour(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint) {
+  auto shown = quantity(simulation, viewpoint.colour_by);
+  if (shown.values.size() == 0) return;
+  std::tie(picture.colours.lo, picture.colours.hi) = viewpoint.range.value_or(range_of(shown));
+  picture.colours.map = shown.span == Span::around_zero ? ColourMap::cool_warm : ColourMap::viridis;
+  picture.colours.label = std::move(shown.label);
+  picture.colours.unit = std::move(shown.unit);
+  picture.value = std::move(shown.values);
 }
 
 void add_ghosts(Picture& picture, const Simulation& simulation) {
@@ -49,7 +85,8 @@ void add_ghosts(Picture& picture, const Simulation& simulation) {
   if (!reference || !reference->positions) return;
   const Vectors positions = reference->positions(simulation.time());
   if (positions.rows() == 0 || !positions.allFinite()) return;
-  picture.ghosts = Ghosts{positions.col(0), positions.col(1), reference->name};
+  picture.ghosts = Ghosts{positions.col(0), positions.col(1), reference->name,
+                          positions.rows() != simulation.particles().size()};
 }
 
 void add_neighbours(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint) {
@@ -68,16 +105,33 @@ std::string error_note(const Simulation& simulation) {
   const auto& reference = simulation.setup().reference;
   const double error = simulation.error();
   if (!reference || !std::isfinite(error)) return {};
-  return fmt::format("{} = {:.2e} {}", reference->measure, error, reference->unit);
+  const auto unit = reference->unit.empty() ? "" : " " + reference->unit;
+  return fmt::format("{} = {:.2e}{}", reference->measure, error, unit);
 }
 
 }  // namespace
 
 std::vector<std::string> colourings(const Simulation& simulation) {
-  std::vector<std::string> names{"speed", "force"};
-  for (const auto& column : simulation.particles().columns()) names.emplace_back(column.name);
+  std::vector<std::string> names{"speed"};
+  const auto& particles = simulation.particles();
+  if (simulation.setup().fluid) names.insert(names.end(), {"pressure", "density_error", "density"});
+  names.emplace_back("force");
+  for (const auto& column : particles.columns())
+    if (std::find(names.begin(), names.end(), column.name) == names.end()) names.emplace_back(column.name);
   names.emplace_back("plain");
   return names;
+}
+
+std::string symbol(std::string_view column) {
+  if (column == "density") return "ρ";
+  if (column == "pressure") return "p";
+  return std::string(column);
+}
+
+std::string step_text(const Simulation& simulation) {
+  const bool given = std::isfinite(simulation.parameters().value("dt"));
+  return simulation.model().limits_follow_state() && !given ? three_digits(simulation.dt())
+                                                            : fmt::format("{:.3g}", simulation.dt());
 }
 
 Picture describe(const std::string& stage_title, Simulation& simulation, const Viewpoint& viewpoint) {
@@ -85,8 +139,8 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   const auto& view = simulation.setup().view;
   Picture picture;
   picture.title = stage_title + " - " + simulation.scene().name;
-  picture.subtitle = fmt::format("t = {:.3f} s   dt = {:.3g} s   N = {}   {}", simulation.time(),
-                                 simulation.dt(), particles.size(), simulation.integrator());
+  picture.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}   {}", simulation.time(),
+                                 step_text(simulation), particles.size(), simulation.integrator());
   picture.lower = {view.left, view.bottom};
   picture.upper = {view.right, view.top};
   picture.length_unit = simulation.scene().length_unit;
@@ -96,6 +150,7 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   picture.x = particles.position.col(0);
   picture.y = particles.position.col(1);
   picture.radius = simulation.setup().radius;
+  picture.liquid = simulation.setup().fluid.has_value();
   colour(picture, simulation, viewpoint);
   if (viewpoint.ghosts) add_ghosts(picture, simulation);
   add_neighbours(picture, simulation, viewpoint);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,15 +13,22 @@ namespace clapotis {
 
 /// What is to be shown of a simulation.
 struct Viewpoint {
-  std::string colour_by = "speed";                 ///< speed, force, a column of the scene, or plain
-  std::optional<std::pair<double, double>> range;  ///< of the colours; 0 to the greatest value otherwise
+  std::string colour_by = "speed";                 ///< one of `colourings`
+  std::optional<std::pair<double, double>> range;  ///< of the colours; that of almost all values otherwise
   bool ghosts = true;                              ///< where the reference has the particles
   bool grid = false;                               ///< the cells of the neighbour search
   std::optional<Index> chosen = {};                ///< the particle whose neighbours are shown
 };
 
-/// What the discs can be coloured by: speed, force |m a|, the scene's columns, plain.
+/// What the particles can be coloured by: speed, in a fluid pressure, density_error and density, then force
+/// |m a|, the scene's other columns, plain.
 std::vector<std::string> colourings(const Simulation& simulation);
+
+/// What a column of the scene is called in formulas: "density" is rho.
+std::string symbol(std::string_view column);
+
+/// The time step, as short as can be read, and of one width where each step has its own.
+std::string step_text(const Simulation& simulation);
 
 /// The picture of a simulation as it stands: the same for the window and for files.
 Picture describe(const std::string& stage_title, Simulation& simulation, const Viewpoint& viewpoint = {});

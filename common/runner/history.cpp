@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -23,14 +23,18 @@ Curve curve(const std::vector<Sample>& samples, std::string_view label, std::siz
 
 Plot energy_plot(const std::vector<Sample>& samples, const Simulation& simulation) {
   const auto& w = words();
-  const auto& length = simulation.scene().length_unit;
+  const bool is_fluid = simulation.setup().fluid.has_value();
+  const bool has_weight = !is_fluid || simulation.parameters().find("gravity") != nullptr;
   Plot plot;
   plot.title = w.plot_energies;
   plot.x_label = "t [s]";
-  plot.y_label = "E [" + (length == "m" ? "J" : with_length("kg L²/s²", length)) + "]";
+  plot.y_label = "E [" + printed(short_energy_unit(simulation)) + "]";
   plot.curves.push_back(curve(samples, w.kinetic, 0, [](const Sample& s) { return s.energy.kinetic; }));
-  plot.curves.push_back(curve(samples, w.potential, 2, [](const Sample& s) { return s.energy.potential; }));
-  if (simulation.model().has_pairs())
+  if (has_weight)
+    plot.curves.push_back(curve(samples, w.potential, 2, [](const Sample& s) { return s.energy.potential; }));
+  if (is_fluid)
+    plot.curves.push_back(curve(samples, w.internal, 3, [](const Sample& s) { return s.energy.internal; }));
+  else if (simulation.model().has_pairs())
     plot.curves.push_back(curve(samples, w.elastic, 3, [](const Sample& s) { return s.energy.elastic; }));
   plot.curves.push_back(
       curve(samples, w.mechanical, 1, [](const Sample& s) { return s.energy.mechanical(); }));
@@ -43,7 +47,7 @@ Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) 
   Plot plot;
   plot.title = say(words().plot_error, fmt::arg("reference", reference.name));
   plot.x_label = "t [s]";
-  plot.y_label = reference.measure + " [" + reference.unit + "]";
+  if (!reference.unit.empty()) plot.y_label = "[" + printed(reference.unit) + "]";
   plot.curves.push_back(curve(samples, reference.measure, 1, [](const Sample& s) { return s.error; }));
   plot.log_y = true;
   return plot;

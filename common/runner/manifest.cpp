@@ -10,6 +10,7 @@
 #include "common/runner/particle_table.hpp"
 #include "common/runner/result_json.hpp"
 #include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 
 namespace clapotis {
 namespace {
@@ -43,17 +44,15 @@ Json cost_json(Simulation& s, bool is_over) {
 }
 
 Json units_json(const Simulation& s) {
-  const auto& length = s.scene().length_unit;
   Json series = Json::object();
   for (const auto& column : series_columns()) {
     if (!column.has_meaning(s)) continue;
-    const auto unit = column.unit == "error" ? s.setup().reference->unit : with_length(column.unit, length);
-    series[column.name] = unit;
+    series[column.name] = unit_of(column, s);
   }
   for (const auto& measure : s.setup().measures) series[measure.name] = with_length(measure.unit, length);
   return {{"series.csv", series},
           {"final.csv", particle_units(s)},
-          {"energy", with_length("kg L^2/s^2", length)},
+          {"energy", energy_unit(s)},
           {"cost", "s"},
           {"particle_updates_per_second", "1/s of cpu_seconds"}};
 }

@@ -2,9 +2,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
+#include "common/laws/dummy_walls.hpp"
 #include "common/runner/atomic_file.hpp"
-#include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 
 namespace clapotis {
 namespace {
@@ -16,6 +18,23 @@ void append(std::string& row, double value) {
       std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits_after_the_first);
   row += ',';
   row += std::isnan(value) ? std::string_view("nan") : std::string_view(text, end.ptr);
+}
+
+/// The particles that walls are made of, in the order of their grid, numbered from `first` on.
+void write_walls(AtomicFile& table, const DummyWalls& walls, const Particles& particles, Index first) {
+  std::string row;
+  for (Index k = 0; k < walls.size(); ++k) {
+    row = std::to_string(first + k) + ",wall";
+    for (const double place : {walls.places(k, 0), walls.places(k, 1)}) append(row, place);
+    for (int at_rest = 0; at_rest < 4; ++at_rest) append(row, 0);
+    for (const auto& column : particles.columns()) {
+      const double value = column.name == "density"    ? walls.columns.density(k)
+                           : column.name == "pressure" ? walls.columns.pressure(k)
+                                                       : std::numeric_limits<double>::quiet_NaN();
+      append(row, value);
+    }
+    table.write(row += '\n');
+  }
 }
 
 }  // namespace
@@ -34,6 +53,7 @@ void write_particles(const std::filesystem::path& file, Simulation& simulation) 
       for (const auto& column : p.columns()) append(row, column.values(i));
       table.write(row += '\n');
     }
+    if (const auto* walls = system.model.wall_particles()) write_walls(table, *walls, p, p.size());
   });
   table.commit();
 }

@@ -10,7 +10,9 @@ namespace clapotis {
 
 /// Writes the particles as they stand, one row each, sorted by id: id,kind,x,y,vx,vy,ax,ay, then the columns
 /// of the scene. 17 significant digits, which read back as the same bits. The accelerations are the sum of
-/// the laws at the written positions and velocities. `kind` is "disc" for every particle of stages 1 to 3.
+/// the laws at the written positions and velocities. `kind` is "disc" for every particle of stages 1 to 3,
+/// "fluid" from stage 4 on; at the end come the particles of the walls, "wall", at rest, their ids following
+/// on.
 void write_particles(const std::filesystem::path& file, Simulation& simulation);
 
 /// The unit of each of its columns.

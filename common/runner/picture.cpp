@@ -16,6 +16,7 @@ constexpr double wall_thickness = 6;
 constexpr double smallest_disc = 1.25;  ///< radius below which a particle would fade away [pixel]
 constexpr double smallest_mark = 5;     ///< radius of the ring around a marked particle [pixel]
 constexpr double smallest_rimmed = 5;   ///< radius from which discs have a rim [pixel]
+constexpr double wet_growth = 1.45;     ///< of a liquid's particles too small for a rim, to close the gaps
 constexpr double smallest_cell = 4;     ///< side below which the lines of the cells would be one grey [pixel]
 
 void require_matching_sizes(const Picture& picture) {
@@ -50,6 +51,13 @@ Colour darker(Colour c) { return {0.62F * c.red, 0.62F * c.green, 0.62F * c.blue
 
 Colour translucent(Colour c, float opacity) { return {c.red, c.green, c.blue, opacity}; }
 
+/// Where the domain ends, solid or not.
+void paint_rim(Canvas& canvas, const Box& inside, double width) {
+  const Point corner = inside.corner, opposite{corner.x + inside.extent.x, corner.y + inside.extent.y};
+  canvas.line(std::array{corner, Point{opposite.x, corner.y}, opposite, Point{corner.x, opposite.y}, corner},
+              ink::grid, width);
+}
+
 /// Walls stand outside the domain, so that a particle touches the wall where the simulation says so.
 void paint_walls(Canvas& canvas, const SolidSides& walls, const Box& inside, double thickness) {
   const double x = inside.corner.x, y = inside.corner.y;
@@ -63,9 +71,6 @@ void paint_walls(Canvas& canvas, const SolidSides& walls, const Box& inside, dou
   const auto level = [&](double at) {
     canvas.rectangle({{x - left, at}, {width + left + right, thickness}}, ink::wall);
   };
-  const Point corner{x, y}, opposite{x + width, y + height};  // open sides: where the domain ends
-  canvas.line(std::array{corner, Point{opposite.x, y}, opposite, Point{x, opposite.y}, corner}, ink::grid,
-              thickness / 4);
   if (walls.left) upright(x - thickness);
   if (walls.right) upright(x + width);
   if (walls.bottom) level(y + height);
@@ -109,8 +114,11 @@ void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureV
   const Box inside = domain(picture, view);
   canvas.rectangle(inside, ink::paper);
   paint_cells(canvas, picture, view);
-  paint_walls(canvas, picture.walls, inside, wall_thickness * view.scale);
+  paint_rim(canvas, inside, wall_thickness / 4 * view.scale);
+  const auto walls = [&] { paint_walls(canvas, picture.walls, inside, wall_thickness * view.scale); };
+  if (!picture.liquid) walls();
   paint_particles(canvas, picture, view);
+  if (picture.liquid) walls();  // they cut off straight what closes the gaps of the liquid
   paint_marks(canvas, picture, view);
 }
 
@@ -143,9 +151,10 @@ void Painter::paint_cells(Canvas& canvas, const Picture& picture, const PictureV
 }
 
 void Painter::paint_particles(Canvas& canvas, const Picture& picture, const PictureView& view) {
-  const double radius = std::max(picture.radius * view.pixels_per_unit, smallest_disc * view.scale);
-  const double rim =
-      radius < smallest_rimmed * view.scale ? 0 : std::clamp(0.12 * radius, 1.0, 3 * view.scale);
+  const double own = picture.radius * view.pixels_per_unit;
+  const bool rimmed = own >= smallest_rimmed * view.scale, wet = picture.liquid && !rimmed;
+  const double radius = std::max(wet ? wet_growth * own : own, smallest_disc * view.scale);
+  const double rim = rimmed ? std::clamp(0.12 * radius, 1.0, 3 * view.scale) : 0;
   const auto& colours = picture.colours;
   const bool flat = !(colours.hi > colours.lo);  // then all have the colour in the middle of the map
   const double lo = flat ? colours.lo - 0.5 : colours.lo, range = flat ? 1 : colours.hi - colours.lo;
@@ -171,10 +180,17 @@ void Painter::paint_marks(Canvas& canvas, const Picture& picture, const PictureV
   };
   discs_.clear();
   if (picture.ghosts) {
-    const auto& [x, y, label] = *picture.ghosts;
+    const auto& [x, y, label, outline] = *picture.ghosts;
+    points_.clear();
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      ring(view.to_pixel(x[i], y[i]), radius, radius, translucent(ink::ghost, 0.12F));
-      ring(view.to_pixel(x[i], y[i]), radius, 2.5 * scale, ink::ghost);
+      points_.push_back(view.to_pixel(x[i], y[i]));
+      if (outline) continue;
+      ring(points_.back(), radius, radius, translucent(ink::ghost, 0.12F));
+      ring(points_.back(), radius, 2.5 * scale, ink::ghost);
+    }
+    if (outline && !points_.empty()) {
+      points_.push_back(points_.front());
+      canvas.line(points_, ink::ghost, 2.5 * scale);
     }
   }
   if (picture.chosen) {

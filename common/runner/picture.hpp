@@ -25,8 +25,9 @@ struct SolidSides {
 
 /// Where the reference solution has the particles.
 struct Ghosts {
-  Eigen::ArrayXd x, y;  ///< [length unit]
-  std::string label;    ///< "closed form"
+  Eigen::ArrayXd x, y;   ///< [length unit]
+  std::string label;     ///< "closed form"
+  bool outline = false;  ///< the points are those of a closed line, not of particles
 };
 
 /// One particle, chosen by the user, and who is near it.
@@ -47,6 +48,7 @@ struct Picture {
   SolidSides walls;
   Eigen::ArrayXd x, y;   ///< one per particle [length unit]; a particle at NaN or infinity is not painted
   double radius = 0;     ///< of every particle and ghost [length unit]
+  bool liquid = false;   ///< whether the particles are one liquid: drawn without gaps while they are small
   Eigen::ArrayXd value;  ///< one per particle [colours.unit], or empty: one calm colour and no legend
   ColourScale colours;
   std::optional<Ghosts> ghosts;

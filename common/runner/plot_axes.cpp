@@ -35,7 +35,9 @@ AxisRange roomy(AxisRange y) {
 /// Whole decades, for y is already a logarithm.
 AxisRange whole_decades(AxisRange y) {
   if (!(y.lo <= y.hi)) return {-1, 0};
-  const AxisRange range{std::floor(y.lo), std::ceil(y.hi)};
+  // An error that begins at rounding must not press its later course into a line.
+  constexpr double most_decades = 6;
+  const AxisRange range{std::max(std::floor(y.lo), std::ceil(y.hi) - most_decades), std::ceil(y.hi)};
   return range.hi > range.lo ? range : AxisRange{range.lo - 1, range.hi + 1};
 }
 

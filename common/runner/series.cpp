@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/runner/stopwatch.hpp"
+#include "common/runner/units.hpp"
 
 namespace clapotis {
 namespace {
@@ -25,22 +26,18 @@ constexpr std::array all_columns{
     SeriesColumn{"particles", "1",
                  [](const Moment& m) { return static_cast<double>(m.simulation.particles().size()); },
                  always},
-    SeriesColumn{"kinetic_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.kinetic; }, always},
-    SeriesColumn{"potential_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.potential; },
+    SeriesColumn{"kinetic_energy", "energy", [](const Moment& m) { return m.energy.kinetic; }, always},
+    SeriesColumn{"potential_energy", "energy", [](const Moment& m) { return m.energy.potential; }, always},
+    SeriesColumn{"elastic_energy", "energy", [](const Moment& m) { return m.energy.elastic; }, has_springs},
+    SeriesColumn{"internal_energy", "energy", [](const Moment& m) { return m.energy.internal; }, is_fluid},
+    SeriesColumn{"mechanical_energy", "energy", [](const Moment& m) { return m.energy.mechanical(); },
                  always},
-    SeriesColumn{"elastic_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.elastic; },
-                 has_springs},
-    SeriesColumn{"internal_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.internal; },
-                 is_fluid},
-    SeriesColumn{"mechanical_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.mechanical(); },
-                 always},
-    SeriesColumn{"dissipated_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.dissipated; },
-                 always},
-    SeriesColumn{"total_energy", "kg L^2/s^2", [](const Moment& m) { return m.energy.total(); }, always},
-    SeriesColumn{"momentum_x", "kg L/s", [](const Moment& m) { return momentum(m.simulation.particles()).x; },
-                 always},
-    SeriesColumn{"momentum_y", "kg L/s", [](const Moment& m) { return momentum(m.simulation.particles()).y; },
-                 always},
+    SeriesColumn{"dissipated_energy", "energy", [](const Moment& m) { return m.energy.dissipated; }, always},
+    SeriesColumn{"total_energy", "energy", [](const Moment& m) { return m.energy.total(); }, always},
+    SeriesColumn{"momentum_x", "momentum",
+                 [](const Moment& m) { return momentum(m.simulation.particles()).x; }, always},
+    SeriesColumn{"momentum_y", "momentum",
+                 [](const Moment& m) { return momentum(m.simulation.particles()).y; }, always},
     SeriesColumn{"centre_x", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).x; },
                  always},
     SeriesColumn{"centre_y", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).y; },
@@ -63,16 +60,11 @@ constexpr std::array all_columns{
 
 std::span<const SeriesColumn> series_columns() { return all_columns; }
 
-std::string with_length(std::string_view unit, std::string_view length_unit) {
-  std::string text;
-  for (const char letter : unit) {
-    if (letter == 'L') {
-      text += length_unit;
-    } else {
-      text += letter;
-    }
-  }
-  return text;
+std::string unit_of(const SeriesColumn& column, const Simulation& simulation) {
+  if (column.unit == "energy") return energy_unit(simulation);
+  if (column.unit == "momentum") return momentum_unit(simulation);
+  if (column.unit == "error") return simulation.setup().reference->unit;
+  return with_length(column.unit, simulation.scene().length_unit);
 }
 
 Series::Series(const std::filesystem::path& file, const Simulation& simulation)

@@ -18,7 +18,8 @@ struct Moment {
   Energy energy;
 };
 
-/// A column of series.csv. In `unit`, L stands for the scene's unit of length; a pure number has "1".
+/// A column of series.csv. In `unit`, L stands for the scene's unit of length; a pure number has "1";
+/// "energy", "momentum" and "error" are those of the scene.
 struct SeriesColumn {
   std::string_view name, unit;
   double (*value)(const Moment&);
@@ -27,6 +28,7 @@ struct SeriesColumn {
 
 /// All columns there are: drives the header, the units in run.json and the documentation.
 std::span<const SeriesColumn> series_columns();
+std::string unit_of(const SeriesColumn& column, const Simulation& simulation);
 
 /// series.csv of one run. What was computed so far reaches the disk about once a second, as series.csv.part.
 class Series {
@@ -42,8 +44,5 @@ class Series {
   std::vector<SeriesColumn> columns_;
   double last_flush_ = 0;
 };
-
-/// `unit` with the scene's unit of length in the place of L.
-std::string with_length(std::string_view unit, std::string_view length_unit);
 
 }  // namespace clapotis

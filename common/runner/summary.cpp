@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "common/runner/series.hpp"
+#include "common/runner/ticks.hpp"
+#include "common/runner/units.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -39,15 +40,15 @@ std::string energy_line(const Simulation& s, const RunResult& result) {
   const double drift = result.end.total() - result.start.total();
   const double scale = std::abs(result.start.total()) > 0 ? std::abs(result.start.total()) : 1;
   return say(words().summary_energy, fmt::arg("start", short_number(result.start.mechanical())),
-             fmt::arg("end", short_number(result.end.mechanical())),
-             fmt::arg("unit", with_length("kg L^2/s^2", s.scene().length_unit)),
+             fmt::arg("end", short_number(result.end.mechanical())), fmt::arg("unit", short_energy_unit(s)),
              fmt::arg("drift", fmt::format("{:.2e}", drift / scale)));
 }
 
 std::string error_line(const Simulation& s, const RunResult& result) {
   const auto& reference = *s.setup().reference;
   const double error = s.error();
-  return say(words().summary_error, fmt::arg("measure", reference.measure), fmt::arg("unit", reference.unit),
+  return say(words().summary_error, fmt::arg("measure", reference.measure),
+             fmt::arg("unit", reference.unit.empty() ? "" : " " + reference.unit),
              fmt::arg("reference", reference.name),
              fmt::arg("largest", fmt::format("{:.3e}", result.largest_error)),
              fmt::arg("error", std::isfinite(error) ? fmt::format("{:.3e}", error) : "-"));
@@ -67,7 +68,8 @@ std::string summary(const std::filesystem::path& folder, Simulation& s, const Ru
     const auto updates = steps * static_cast<double>(s.particles().size());
     text += say(w.summary_cost, fmt::arg("cpu", duration(result.cpu_seconds)),
                 fmt::arg("step", duration(result.cpu_seconds / steps)),
-                fmt::arg("rate", rate(updates / result.cpu_seconds)));
+                fmt::arg("rate", rate(updates / result.cpu_seconds)),
+                fmt::arg("speed", two_digits(s.time() / result.cpu_seconds)));
   }
   text += energy_line(s, result);
   if (s.setup().reference) text += error_line(s, result);

@@ -57,6 +57,15 @@ double nice_length(double length) {
   return decade;
 }
 
+std::string two_digits(double value) {
+  const bool whole = std::abs(value) >= 10;
+  return whole ? written(value, std::chars_format::fixed, 0) : written(value, std::chars_format::general, 2);
+}
+
+std::string three_digits(double value) {
+  return with_short_exponent(written(value, std::chars_format::scientific, 2));
+}
+
 std::string tick_label(double value, double step) {
   if (value == 0) return "0";
   const double size = std::abs(value);

@@ -23,4 +23,10 @@ struct Ticks {
 /// the locale.
 [[nodiscard]] std::string tick_label(double value, double step);
 
+/// "0.034", "1.6", "120": how many times as much.
+[[nodiscard]] std::string two_digits(double value);
+
+/// Three digits in always the same width while the power of ten is the same: "1.05e-3".
+[[nodiscard]] std::string three_digits(double value);
+
 }  // namespace clapotis

@@ -21,7 +21,8 @@ struct Reference {
   std::string source;  ///< author, year, or how it follows
   /// Error of the state as it stands; NaN where the reference does not hold (any more).
   std::function<double(const System&)> error;
-  /// Where the reference has the particles at time t, n x 2: drawn beside them.
+  /// Where the reference has the particles at time t, n x 2: drawn beside them. Another number of points is
+  /// the outline of all.
   std::function<Vectors(double t)> positions;
 };
 
@@ -48,6 +49,7 @@ struct Setup {
   std::optional<Fluid> fluid = {};     ///< what the particles are, in stage 4 and on
   std::vector<Measure> measures = {};  ///< what the scene is about, besides energies: columns of series.csv
   bool locate_impacts = false;         ///< find each impact inside the step, instead of clamping after it
+  std::string colour_by = "speed";     ///< what pictures of the scene show first: see `colourings`
 };
 
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all

@@ -21,7 +21,10 @@ void CostMeter::frame(Session& session, double elapsed, double painting) {
   }
   starts_ = session.starts();
   if (elapsed_ < 0.5) return;
-  if (steps_ > 0) rates_.step_milliseconds = 1e3 * stepping_ / static_cast<double>(steps_);
+  if (steps_ > 0) {
+    rates_.step_milliseconds = 1e3 * stepping_ / static_cast<double>(steps_);
+    rates_.possible_speed = simulated_ / stepping_;
+  }
   rates_.frames_per_second = static_cast<double>(frames_) / elapsed_;
   rates_.frame_milliseconds = 1e3 * painting_ / static_cast<double>(frames_);
   rates_.speed = simulated_ / elapsed_;

@@ -12,6 +12,7 @@ class CostMeter {
     double frames_per_second = 0;
     double frame_milliseconds = 0;  ///< our own processor time for painting one frame
     double speed = 0;               ///< simulated seconds per second
+    double possible_speed = 0;      ///< simulated seconds per second of computing
     bool slower_than_asked = false;
     std::optional<PairCount> pairs;
   };

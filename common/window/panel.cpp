@@ -1,5 +1,7 @@
 #include "common/window/panel.hpp"
 
+#include "common/runner/ticks.hpp"
+#include "common/window/step_light.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
@@ -13,18 +15,25 @@ const Words::Window& w() { return words().window; }
 
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
-void heading(std::string_view words) {
-  theme::Bold bold;
-  text(words);
-  ImGui::Separator();
-}
-
 /// One to the left, the other to the right.
 void fact(const std::string& left, const std::string& right) {
   const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   text(left);
   ImGui::SameLine(end - ImGui::CalcTextSize(right.c_str()).x);
   text(right);
+}
+
+void heading(std::string_view words, const std::string& right = {}) {
+  {
+    theme::Bold bold;
+    const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    text(words);
+    if (!right.empty()) {
+      ImGui::SameLine(end - ImGui::CalcTextSize(right.c_str()).x);
+      text(right);
+    }
+  }
+  ImGui::Separator();
 }
 
 std::string duration(double milliseconds) {
@@ -115,13 +124,14 @@ std::optional<std::size_t> Panel::list(WindowState& state, const std::string& na
   text(label);
   ImGui::SameLine(start + label_width * whole);
   ImGui::SetNextItemWidth(share * whole);
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), present.c_str(), ImGuiComboFlags_HeightLargest);
+  const std::string shown(called(present));
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLargest);
   if (!open) controls_.name_last(name);
   if (!open) return chosen;
   state.menu_open = true;
   if (state.close_menu) ImGui::CloseCurrentPopup();
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (ImGui::Selectable(names[k].c_str(), names[k] == present)) chosen = k;
+    if (ImGui::Selectable(std::string(called(names[k])).c_str(), names[k] == present)) chosen = k;
     controls_.name_last(name + ":" + names[k]);
   }
   ImGui::EndCombo();
@@ -163,14 +173,22 @@ void Panel::time_step(WindowState& state) {
   heading(w().time_step);
   rows_.lay_out(state, controls_, ParameterRows::Group::time_step);
   const auto& simulation = state.session.simulation();
-  const auto& limit = simulation.binding_limit();
-  const double share = 100 * simulation.dt() / limit.limit;
-  const auto reason = say(w().share_of_limit, fmt::arg("share", fmt::format("{:.3g}", share)),
-                          fmt::arg("limit", fmt::format("{:.2e}", limit.limit)), fmt::arg("name", limit.name),
-                          fmt::arg("formula", limit.formula));
+  const auto light = step_light(simulation);
+  const auto reason = say(w().share_of_limit, fmt::arg("share", fmt::format("{:.0f}", 100 * light.share)),
+                          fmt::arg("limit", three_digits(light.limit.limit)),
+                          fmt::arg("name", light.limit.name), fmt::arg("formula", light.limit.formula));
+  using enum StepLight::Colour;
+  const auto colour = light.colour == red     ? theme::warning
+                      : light.colour == amber ? theme::caution
+                                              : theme::faint;
   ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(theme::vec(limit.stability && share > 100.001 ? theme::warning : theme::faint), "%s",
-                     reason.c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::vec(colour));
+  text(reason);
+  if (light.colour != calm) {
+    theme::Bold bold;
+    text(light.colour == red ? w().beyond_stability : w().close_to_instability);
+  }
+  ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
 }
 
@@ -197,7 +215,9 @@ void Panel::view(WindowState& state) {
 
 void Panel::cost(WindowState& state) {
   const auto& rates = state.cost.rates();
-  heading(w().cost);
+  heading(w().cost, rates.possible_speed > 0
+                        ? say(w().real_time, fmt::arg("factor", two_digits(rates.possible_speed)))
+                        : std::string());
   const long long n = state.session.simulation().particles().size();
   fact(say(w().particles, fmt::arg("count", count(n))),
        say(w().step_cost, fmt::arg("time", duration(rates.step_milliseconds))));

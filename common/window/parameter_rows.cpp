@@ -115,7 +115,10 @@ void ParameterRows::slider(WindowState& state, const Parameter& parameter) {
   const auto span = slider_span(home != nullptr ? *home : parameter, present, simulation);
   // A format without a conversion is shown as it stands: ImGui would write 150000 as 1.5e+05. Its own
   // logarithmic slider needs the conversion, so the slider moves the logarithm.
-  const auto shown = parameter.integer ? fmt::format("{:.0f}", value) : short_number(value);
+  const bool follows = parameter.automatic && !std::isfinite(parameter.value);
+  const auto shown = follows             ? step_text(simulation)
+                     : parameter.integer ? fmt::format("{:.0f}", value)
+                                         : short_number(value);
   const auto to_slider = [&span](double x) { return span.logarithmic ? std::log10(x) : x; };
   const double low = to_slider(span.low), high = to_slider(span.high);
   double place = to_slider(value);

@@ -3,10 +3,11 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "common/runner/ink.hpp"
 #include "common/runner/save_sheet.hpp"
-#include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 
@@ -24,9 +25,18 @@ void paint_box(Canvas& canvas, const Box& box) {
   canvas.rectangle(box, ink::paper);
 }
 
-std::string vector_text(std::string_view symbol, const Vector& v, const std::string& unit) {
-  return fmt::format("{} = ({}, {}) {}", symbol, number(v.x), number(v.y), unit);
+/// With as many digits whatever the value, so that a table of them stands still.
+std::string steady(double value, int digits = 4) {
+  auto text = fmt::format("{:#.{}g}", value == 0 ? 0.0 : value, digits);
+  if (text.back() == '.') text.pop_back();
+  return text;
 }
+
+std::string line(std::string_view symbol, const std::string& value, const std::string& unit) {
+  return fmt::format("{} = {} {}", symbol, value, unit);
+}
+
+std::string components(const Vector& v) { return fmt::format("({}, {})", steady(v.x), steady(v.y)); }
 
 }  // namespace
 
@@ -37,13 +47,13 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   if (sight.viewpoint.chosen && *sight.viewpoint.chosen >= simulation.particles().size())
     sight.viewpoint.chosen.reset();
   picture_ = describe(session.stage().title, simulation, sight.viewpoint);
-  picture_.subtitle = fmt::format("t = {:.3f} s   dt = {:.2g} s   N = {}", simulation.time(), simulation.dt(),
-                                  simulation.particles().size());
+  picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
+                                  step_text(simulation), simulation.particles().size());
   if (picture_.chosen)  // the probe says the rest
     picture_.chosen->label = say(words().window.particle, fmt::arg("id", picture_.chosen->particle));
   if (picture_.value.size() > 0) {
-    picture_.colours.lo = 0;
-    picture_.colours.hi = sight.colour_range.follow(picture_.colours.hi);
+    auto& [label, unit, lo, hi, map] = picture_.colours;
+    std::tie(lo, hi) = sight.colour_range.follow(lo, hi);
   }
   const double scale = state.scale;
   const double plots_height = sight.plots ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
@@ -67,7 +77,8 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
 void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
   const auto& particles = state.session.simulation().particles();
   const double typical = std::sqrt(particles.velocity.square().rowwise().sum().mean());
-  const double high = state.sight.arrow_range.follow(std::min(2 * typical, max_speed(particles)));
+  const double range = state.sight.arrow_range.follow(0, std::min(2 * typical, max_speed(particles))).second;
+  const double high = range > 0 ? range : 1;
   const double length = longest_arrow * state.scale / high;
   ends_.clear();
   for (Index i = 0; i < particles.size(); ++i) {
@@ -112,12 +123,15 @@ void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
   const std::string unit = simulation.scene().length_unit;
   Vector acceleration{0, 0};
   simulation.look([&](const System& system) { acceleration = row(system.acceleration, i); });
-  std::vector<std::string> lines{vector_text(w.position, row(particles.position, i), unit),
-                                 vector_text(w.velocity, row(particles.velocity, i), unit + "/s"),
-                                 vector_text(w.acceleration, acceleration, unit + "/s²")};
-  for (const auto& column : particles.extra) {
+  const Vector velocity = row(particles.velocity, i);
+  std::vector<std::string> lines{line(w.position, components(row(particles.position, i)), unit),
+                                 line(w.velocity, components(velocity), unit + "/s"),
+                                 line(w.speed_of_particle, steady(norm(velocity)), unit + "/s"),
+                                 line(w.acceleration, components(acceleration), unit + "/s²")};
+  for (const auto& column : particles.columns()) {
+    const int digits = column.name == "density" ? 6 : 4;  // a liquid's changes by one in a thousand
     lines.push_back(
-        fmt::format("{} = {} {}", column.name, number(column.values(i)), with_length(column.unit, unit)));
+        line(symbol(column.name), steady(column.values(i), digits), printed(short_unit(column.unit, unit))));
   }
   if (const auto around = simulation.model().neighbourhood(particles, i)) {
     lines.push_back(say(w.tested, fmt::arg("count", around->candidates.size())) + ", " +
@@ -125,8 +139,10 @@ void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
   }
   const double scale = state.scale, height = 16 * scale, leading = 1.4 * height, margin = 10 * scale;
   const std::string title = say(w.particle, fmt::arg("id", i));
-  double width = canvas.text_width(title, height);
-  for (const auto& line : lines) width = std::max(width, canvas.text_width(line, height));
+  if (std::exchange(probe_of_, i) != i) probe_width_ = 0;
+  probe_width_ = std::max(probe_width_, canvas.text_width(title, height));
+  for (const auto& text : lines) probe_width_ = std::max(probe_width_, canvas.text_width(text, height));
+  const double width = probe_width_;
   const Box& scene = view_.scene;  // the box stands on the side away from the particle
   const bool left_half = view_.to_pixel(particles.position(i, 0), 0).x < scene.corner.x + scene.extent.x / 2;
   const double from_left = left_half ? scene.extent.x - width - 3 * margin : margin;
@@ -136,9 +152,9 @@ void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
   canvas.rectangle({corner, {4 * scale, tall}}, ink::chosen);
   Point at{corner.x + margin + 2 * scale, corner.y + leading};
   canvas.text(at, title, height, ink::faint_text);
-  for (const auto& line : lines) {
+  for (const auto& text : lines) {
     at.y += leading;
-    canvas.text(at, line, height, ink::text);
+    canvas.text(at, text, height, ink::text);
   }
 }
 

@@ -28,6 +28,8 @@ class SceneView {
   PictureView view_;
   std::vector<Plot> plots_;
   std::vector<Point> ends_;
+  std::optional<Index> probe_of_;  ///< the particle that the probe showed last
+  double probe_width_ = 0;         ///< of its widest line so far [pixel]: a box that breathes is not calm
 };
 
 }  // namespace clapotis

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/runner/ticks.hpp"
+
 namespace clapotis {
 namespace {
 
@@ -18,19 +20,27 @@ double round_up(double value) {
   return 10 * power;
 }
 
+std::pair<double, double> rounded(double lo, double hi) {
+  if (lo == 0) return {0, round_up(hi)};
+  if (lo == -hi) return {-round_up(hi), round_up(hi)};
+  const double step = nice_ticks(lo, hi).step;
+  return {step * std::floor(lo / step), step * std::ceil(hi / step)};
+}
+
 }  // namespace
 
-double ColourRange::follow(double greatest) {
-  if (locked && high_ > 0) return high_;
-  if (!std::isfinite(greatest) || greatest <= 0) return high_ > 0 ? high_ : 1;
-  if (greatest > high_ || greatest < high_ / 3) high_ = round_up(greatest);
-  return high_;
+std::pair<double, double> ColourRange::follow(double lo, double hi) {
+  const bool known = high_ > low_;
+  const bool usable = std::isfinite(lo) && std::isfinite(hi) && hi > lo;
+  if (known && (locked || !usable)) return {low_, high_};
+  if (!usable) return {lo, hi};
+  const bool fits = lo >= low_ && hi <= high_, used = hi - lo >= (high_ - low_) / 3;
+  if (!known || !fits || !used) std::tie(low_, high_) = rounded(lo, hi);
+  return {low_, high_};
 }
 
 void Sight::look_at_other_scene(const Simulation& simulation) {
-  const auto known = colourings(simulation);
-  if (std::find(known.begin(), known.end(), viewpoint.colour_by) == known.end())
-    viewpoint.colour_by = known.front();
+  viewpoint.colour_by = simulation.setup().colour_by;
   viewpoint.chosen.reset();
   colour_range = arrow_range = {};
   show_whole_scene();

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/runner/describe.hpp"
@@ -10,16 +11,16 @@
 
 namespace clapotis {
 
-/// A range of colours that does not flicker: from 0 to a round number, which grows at once with what is shown
-/// and shrinks only when less than a third of it is used. Or the range that was locked.
+/// A range of colours that does not flicker: between round numbers, growing at once with what is shown and
+/// shrinking only when less than a third of it is used. Or the range that was locked.
 class ColourRange {
  public:
-  double follow(double greatest);
-  void forget() { high_ = 0; }
+  /// The range for values between lo and hi. An end that is 0, and ends that are opposite, remain so.
+  std::pair<double, double> follow(double lo, double hi);
   bool locked = false;
 
  private:
-  double high_ = 0;
+  double low_ = 0, high_ = 0;
 };
 
 /// How the scene is looked at: nothing here touches the physics.

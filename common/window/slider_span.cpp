@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "common/runner/series.hpp"
+#include "common/runner/units.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -68,9 +68,7 @@ std::string short_range(const Range& range) {
 }
 
 std::string printed_unit(const Parameter& parameter, const std::string& length_unit) {
-  std::string text = with_length(parameter.unit, length_unit);
-  for (auto at = text.find("^2"); at != std::string::npos; at = text.find("^2")) text.replace(at, 2, "²");
-  return text;
+  return printed(with_length(parameter.unit, length_unit));
 }
 
 std::string printed_symbol(const Parameter& parameter) {

@@ -14,6 +14,7 @@ constexpr Colour panel{0.945f, 0.950f, 0.955f};  ///< behind the controls
 constexpr Colour ink{0.12f, 0.14f, 0.17f};
 constexpr Colour faint{0.38f, 0.42f, 0.47f};  ///< secondary text, still 5:1 against the panel
 constexpr Colour accent{0.10f, 0.37f, 0.60f};
+constexpr Colour caution{0.60f, 0.36f, 0.00f};  ///< amber, dark enough to be read on the panel
 constexpr Colour warning{0.72f, 0.20f, 0.08f};
 
 ImVec4 vec(Colour colour);  ///< as ImGui has it

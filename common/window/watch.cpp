@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "common/window/step_light.hpp"
+
 namespace clapotis {
 namespace {
 
@@ -26,6 +28,9 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["plots"] = on("plots", sight.plots);
   now["panel"] = on("panel", state.panel);
   now["help"] = on("help", state.help);
+  using enum StepLight::Colour;
+  const auto light = step_light(simulation).colour;
+  now["light"] = std::string("step is ") + (light == red ? "red" : light == amber ? "amber" : "calm");
   now["menu"] = on("menu", state.menu_open);
   now["selected"] = sight.viewpoint.chosen ? fmt::format("selected {}", *sight.viewpoint.chosen)
                                            : std::string("selected none");

@@ -1,6 +1,8 @@
 #include "common/window/window.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "common/runner/exit_code.hpp"
 #include "common/runner/ink.hpp"
@@ -13,6 +15,7 @@
 #include "common/window/panel.hpp"
 #include "common/window/scene_view.hpp"
 #include "common/window/screen.hpp"
+#include "common/window/step_light.hpp"
 #include "common/window/watch.hpp"
 #include "common/words.hpp"
 
@@ -28,6 +31,12 @@ std::string title(const Session& session) {
   const auto& simulation = session.simulation();
   return fmt::format("{} | {} | t = {:.3f} s | dt = {:.1e} s | x{:.4g}", session.stage().title,
                      simulation.scene().name, simulation.time(), simulation.dt(), session.speed());
+}
+
+std::string beyond_limit(const StepLight& light, double dt) {
+  return say(words().beyond_limit, fmt::arg("dt", fmt::format("{:.4g}", dt)),
+             fmt::arg("ratio", fmt::format("{:.3g}", light.share)), fmt::arg("limit", light.limit.name),
+             fmt::arg("formula", light.limit.formula));
 }
 
 class Window {
@@ -97,6 +106,9 @@ class Window {
     const auto warnings = session.simulation().warnings();
     if (warnings.size() > warnings_) state_.notice = {warnings.back(), true, 10};
     warnings_ = warnings.size();
+    const auto light = step_light(session.simulation());
+    if (std::exchange(light_, light.colour) != light.colour && light.colour == StepLight::Colour::red)
+      state_.notice = {beyond_limit(light, session.simulation().dt()), true, 10};
     if (session.diverged()) state_.notice = {};  // it says all that, and more
   }
 
@@ -143,7 +155,9 @@ class Window {
   double until_title_ = 0;
   double stirred_ = 0, painted_ = 0;  ///< when something last happened, and was last painted [s]
   long starts_ = 0;
-  std::size_t scene_ = 0, warnings_ = 0;
+  std::optional<std::size_t> scene_;
+  std::size_t warnings_ = 0;
+  StepLight::Colour light_ = StepLight::Colour::calm;
 };
 
 }  // namespace

@@ -75,6 +75,58 @@ TEST_CASE("viridis has its published colours, also between those that are stored
   }
 }
 
+TEST_CASE("in the map of signed values, what is as far from zero is as dark, and blue or red says the side",
+          "[pictures]") {
+  double before = lightness(at(ColourMap::cool_warm, 0.5));
+  CHECK(before < 85);  // paper has 100: a particle at zero is seen on it
+  for (int k = 1; k <= 64; ++k) {
+    const Colour below = at(ColourMap::cool_warm, 0.5 - k / 128.0),
+                 above = at(ColourMap::cool_warm, 0.5 + k / 128.0);
+    CHECK(lightness(below) < before);
+    CHECK(lightness(above) == Approx(lightness(below)).margin(1));
+    CHECK(below.blue > below.red);
+    CHECK(above.red > above.blue);
+    before = lightness(below);
+  }
+}
+
+TEST_CASE("who is blind to red or to green tells negative from positive in the map of signed values",
+          "[pictures]") {
+  // What remains of red, green, blue for them: Vienot, Brettel & Mollon 1999, on linear light. Both confuse
+  // red with green, and see yellow against blue.
+  const auto linear = [](float s) { return std::pow(double(s), 2.2); };
+  struct Blindness {
+    double red, green;  // their yellow, the same in both channels
+  };
+  for (const auto& [red, green] : {Blindness{0.11238, 0.88762}, Blindness{0.29275, 0.70725}}) {
+    for (const double away : {0.125, 0.25, 0.5}) {
+      const auto yellow_over_blue = [&](Colour c) {
+        return std::log((red * linear(c.red) + green * linear(c.green)) / linear(c.blue));
+      };
+      CAPTURE(red, away);
+      CHECK(yellow_over_blue(at(ColourMap::cool_warm, 0.5 - away)) < -0.2);
+      CHECK(yellow_over_blue(at(ColourMap::cool_warm, 0.5 + away)) > 0.1);
+    }
+  }
+}
+
+TEST_CASE("small particles of a liquid leave no gaps between them, large ones are discs of their own size",
+          "[pictures]") {
+  Picture picture = cloud(2);
+  picture.liquid = true;
+  PictureView view = fit(picture, whole);
+  RecordingCanvas canvas;
+  const auto radius_at = [&](double pixels) {
+    view.pixels_per_unit = pixels / picture.radius;
+    canvas.disc_calls.clear();
+    view.centre = {picture.x[0], picture.y[0]};
+    Painter().paint(canvas, picture, view);
+    return canvas.disc_calls.front().front().radius;
+  };
+  for (const double pixels : {1.5, 3.0, 4.5}) CHECK(radius_at(pixels) > 1.2 * pixels);
+  CHECK(radius_at(20) == 20);
+}
+
 TEST_CASE("a value outside the legend has the colour of its end, a value that is no number is magenta",
           "[pictures]") {
   CHECK(at(ColourMap::viridis, -3) == at(ColourMap::viridis, 0));
@@ -113,6 +165,14 @@ TEST_CASE("a tick is written with the decimals it needs and no more", "[pictures
   CHECK(tick_label(2.5e-6, 5e-7) == "2.5e-6");
   CHECK(tick_label(1e-12, 1e-12) == "1e-12");
   CHECK(tick_label(250000, 50000) == "2.5e5");
+}
+
+TEST_CASE("a time step that changes at each step keeps its width on the screen", "[pictures]") {
+  CHECK(three_digits(1.0e-3) == "1.00e-3");
+  CHECK(three_digits(1.0471e-3) == "1.05e-3");
+  CHECK(two_digits(0.0342) == "0.034");
+  CHECK(two_digits(1.62) == "1.6");
+  CHECK(two_digits(123.4) == "123");
 }
 
 TEST_CASE("the ruler's length is the greatest of 1, 2, 5 times a power of ten that fits", "[pictures]") {
@@ -207,6 +267,16 @@ TEST_CASE("a chosen particle, its neighbours and ghosts are rings that leave the
   const auto& marks = canvas.disc_calls.at(1);
   CHECK(marks.size() == 4);
   CHECK(std::all_of(marks.begin(), marks.end(), [](const Disc& mark) { return mark.hole > 0; }));
+}
+
+TEST_CASE("the outline of an exact shape is one closed line, not a chain of particles", "[pictures]") {
+  Picture picture = cloud(20);
+  picture.ghosts = Ghosts{picture.x.head(5), picture.y.head(5), "exact", true};
+  RecordingCanvas canvas;
+  paint(canvas, picture);
+  CHECK(canvas.disc_calls.at(1).empty());
+  CHECK(std::ranges::any_of(
+      canvas.lines, [](const auto& line) { return line.size() == 6 && line.front() == line.back(); }));
 }
 
 TEST_CASE("a picture whose columns differ in length is refused", "[pictures]") {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage3 = STAGE3_PROGRAM,
-                  compare = COMPARE_PROGRAM;
+                  stage4 = STAGE4_PROGRAM, compare = COMPARE_PROGRAM;
 
 struct Table {
   std::vector<std::string> header;
@@ -175,6 +175,48 @@ TEST_CASE("particles are written by id, with digits that read back as the same b
     REQUIRE(last.at(i, "id") == static_cast<double>(i));
     REQUIRE(last.rows[i][2].size() >= std::string("1.2345678901234567e+00").size());
   }
+}
+
+TEST_CASE("the walls of a tank are written after the water, at rest, with the pressure that they bear",
+          "[runner]") {
+  const Scratch scratch;
+  require_done(run(scratch, stage4,
+                   {"still_water", "--headless", "--steps", "3", "--set", "spacing=0.1", "--out", "r"}));
+  const auto last = table(scratch / "r" / "final.csv");
+  REQUIRE(last.rows.size() > 100);
+  std::size_t water = 0;
+  double deepest = 0;
+  for (std::size_t i = 0; i < last.rows.size(); ++i) {
+    REQUIRE(last.at(i, "id") == static_cast<double>(i));
+    REQUIRE(last.rows[i].size() == last.header.size());
+    if (last.rows[i][1] == "fluid") {
+      REQUIRE(water == i);
+      ++water;
+      continue;
+    }
+    REQUIRE(last.rows[i][1] == "wall");
+    for (const auto* column : {"vx", "vy", "ax", "ay"}) REQUIRE(last.at(i, column) == 0);
+    const double x = last.at(i, "x"), y = last.at(i, "y");
+    REQUIRE((x < 0 || x > 1 || y < 0));  // outside the tank
+    REQUIRE(last.at(i, "density") > 0);
+    if (x > 0.3 && x < 0.7 && y > -0.1) deepest = std::max(deepest, last.at(i, "pressure"));
+  }
+  CHECK(water == 100);
+  CHECK(deepest == Approx(1000 * 9.81 * 1.05).epsilon(0.05));  // half a spacing below the floor
+}
+
+TEST_CASE("energies and momenta of a liquid are per unit of depth, in every file", "[runner]") {
+  const Scratch scratch;
+  const auto ended =
+      run(scratch, stage4, {"--headless", "--steps", "3", "--set", "spacing=0.1", "--out", "r"});
+  require_done(ended);
+  const auto units = json(scratch / "r" / "run.json")["units"];
+  CHECK(units["energy"] == "kg m/s^2");
+  CHECK(units["series.csv"]["total_energy"] == "kg m/s^2");
+  CHECK(units["series.csv"]["internal_energy"] == "kg m/s^2");
+  CHECK(units["series.csv"]["momentum_x"] == "kg/s");
+  CHECK_FALSE(units["series.csv"].contains("elastic_energy"));
+  CHECK_THAT(ended.out, ContainsSubstring("J/m") && ContainsSubstring("real time"));
 }
 
 TEST_CASE("the run.json of a run replays it to the same bytes", "[runner]") {

@@ -140,7 +140,7 @@ inline BruteForce brute_force(const Liquid& l, const Vectors& r, const Vectors& 
       wall_velocity.row(k) /= weights;
     }
     if (!l.tension) f.wall_pressure.value(k) = std::max(f.wall_pressure.value(k), 0.0);
-    f.wall_density(k) = l.density(f.wall_pressure.value(k));
+    f.wall_density(k) = l.rho0;
   }
 
   const auto pull = [&](double pi, double rho_i, double pj, double rho_j) {  // (L/s^2) per m W'

@@ -3,7 +3,9 @@
 #include "common/window/sight.hpp"
 
 #include "common/window/slider_span.hpp"
+#include "common/window/step_light.hpp"
 #include "stage3_grid/scenes.hpp"
+#include "stage4_sph/scenes.hpp"
 #include "tests/catch.hpp"
 
 using namespace clapotis;
@@ -69,16 +71,40 @@ TEST_CASE("stepping through the particles goes round", "[window]") {
 
 TEST_CASE("the range of the colours grows at once and shrinks late, unless it is locked", "[window]") {
   ColourRange range;
-  CHECK(range.follow(120) == 150);
-  CHECK(range.follow(149) == 150);
-  CHECK(range.follow(60) == 150);
-  CHECK(range.follow(40) == 50);
-  CHECK(range.follow(51) == 75);
+  const auto follow = [&](double greatest) { return range.follow(0, greatest).second; };
+  CHECK(follow(120) == 150);
+  CHECK(follow(149) == 150);
+  CHECK(follow(60) == 150);
+  CHECK(follow(40) == 50);
+  CHECK(follow(51) == 75);
   range.locked = true;
-  CHECK(range.follow(1000) == 75);
-  CHECK(range.follow(0.1) == 75);
+  CHECK(follow(1000) == 75);
+  CHECK(follow(0.1) == 75);
   range.locked = false;
-  CHECK(range.follow(1000) == 1000);
+  CHECK(follow(1000) == 1000);
+}
+
+TEST_CASE("a range of colours around zero stays around zero, one between two values ends at round ones",
+          "[window]") {
+  using Range = std::pair<double, double>;
+  CHECK(ColourRange().follow(-0.8, 0.8) == Range{-1, 1});
+  CHECK(ColourRange().follow(998.2, 1004.9) == Range{998, 1006});
+  CHECK(ColourRange().follow(1000, 1000) == Range{1000, 1000});  // the painter shows it as one colour
+  ColourRange range;
+  range.follow(-4000, 9000);
+  CHECK(range.follow(-3900, 8000) == range.follow(-4000, 9000));
+}
+
+TEST_CASE("the time step is amber above 80 % of a limit of stability and red beyond it", "[window]") {
+  using enum StepLight::Colour;
+  const auto light = [](const char* cfl) {
+    return step_light(Simulation(stage4::stage().scene("dam_break"), {{"spacing", {"0.1"}}, {"cfl", {cfl}}}));
+  };
+  CHECK(light("1").colour == calm);
+  CHECK(light("1.5").colour == amber);
+  CHECK(light("1.5").share == Approx(1.5 / 1.7));
+  CHECK(light("3").colour == red);
+  CHECK(light("3").limit.stability);
 }
 
 TEST_CASE("a slider spans what is allowed, or what is usual for the scene, and always the present value",

@@ -16,7 +16,8 @@ using clapotis::testing::Place;
 
 namespace {
 
-const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage3 = STAGE3_PROGRAM;
+const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage3 = STAGE3_PROGRAM,
+                  stage4 = STAGE4_PROGRAM;
 
 /// Where a point of a scene of 800 x 600 px is drawn.
 struct Pixel {
@@ -342,6 +343,39 @@ TEST_CASE("F12 saves a picture beside the program's run, and never over another 
     const auto file = desk.await("notice Saved ");
     CHECK(std::filesystem::file_size(desk.folder() / file) > 1000);
   }
+}
+
+TEST_CASE("a liquid is coloured by what suits the scene, and by the next quantity at each C", "[window]") {
+  Desk desk("liquid");
+  desk.start({stage4, "--set", "spacing=0.1"});
+  desk.await("colour by speed");
+  for (const auto* quantity : {"pressure", "density_error", "density", "force", "plain", "speed"}) {
+    desk.key("c");
+    desk.await(std::string("colour by ") + quantity);
+    desk.picture(quantity);
+  }
+  desk.key("Page_Down");
+  desk.await("scene still_water");
+  desk.await("colour by pressure");
+  await_progress(desk);
+  desk.key("period");
+  desk.await("selected 0");
+  desk.picture("probe");
+}
+
+TEST_CASE("a time step that the user makes too large is said to be so before the run is lost", "[window]") {
+  Desk desk("step-light");
+  desk.start({stage4, "--set", "spacing=0.1", "--paused"});
+  desk.await("step is calm");
+  type_value(desk, "cfl", "1.5");
+  desk.await("step is amber");
+  desk.picture("amber");
+  type_value(desk, "cfl", "4");
+  desk.await("step is red");
+  CHECK(desk.await("notice ").find("expect the run to diverge") != std::string::npos);
+  desk.picture("red");
+  type_value(desk, "cfl", "1");
+  desk.await("step is calm");
 }
 
 TEST_CASE("with --until the run pauses at that time, and can go on", "[window]") {
