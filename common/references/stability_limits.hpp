@@ -31,9 +31,9 @@ struct SphStabilityLimits {
 /// RK4's are true limits. Those of explicit Euler and RK2 shrink as runs get longer: Euler's 0.074 at alpha =
 /// 0.1 is 0.047 in 12,000 steps and 0.033 in 48,000.
 inline constexpr std::array<SphStabilityLimits, 4> sph_stability_limits{
-    {{"cubic spline", 1.3, 0, {0, 1.88, 0, 2.64}},
-     {"cubic spline", 1.3, 0.1, {0.075, 1.85, 0.56, 2.72}},
-     {"cubic spline", 1.3, 1, {0.235, 1.48, 1.22, 2.56}},
-     {"Wendland C2", 1.5, 0.1, {0.074, 1.74, 0.555, 2.56}}}};
+    {{"cubic_spline", 1.3, 0, {0, 1.88, 0, 2.64}},
+     {"cubic_spline", 1.3, 0.1, {0.075, 1.85, 0.56, 2.72}},
+     {"cubic_spline", 1.3, 1, {0.235, 1.48, 1.22, 2.56}},
+     {"wendland_c2", 1.5, 0.1, {0.074, 1.74, 0.555, 2.56}}}};
 
 }  // namespace clapotis

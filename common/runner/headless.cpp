@@ -152,7 +152,8 @@ class HeadlessRun {
   }
 
   void write_pictures() {
-    Viewpoint viewpoint{.colour_by = simulation_.setup().colour_by};
+    Viewpoint viewpoint;
+    viewpoint.colour_by = simulation_.setup().colour_by;
     const bool by_speed = viewpoint.colour_by == "speed" && !simulation_.setup().fluid;
     if (by_speed && history_.largest_speed() > 0) viewpoint.range = {0, history_.largest_speed()};
     const auto picture = describe(stage_.title, simulation_, viewpoint);

@@ -83,7 +83,7 @@ class FluidModel final : public Model {
   [[nodiscard]] StoredEnergy stored_energy(const Particles& particles) override {
     // a sum of densities is that of the places as they stand, which may have changed since it was taken
     const bool sums = form_ == DensityForm::summation;
-    if (sums) sorted_.build(particles, threads);
+    if (sums) arrange(particles);
     return {
         .potential = laws_.potential(particles, threads),
         .internal = sum_over(sums ? sorted_.slots() : particles.size(), threads, [&](Index k, std::size_t) {
