@@ -63,7 +63,9 @@ Comparison::Comparison(Side& left, Side& right, double until, double interval)
       until_(until),
       interval_(interval),
       diagonal_(diagonal_of(left.simulation->setup().view)),
-      together_(left.simulation->dt() == right.simulation->dt()),
+      together_(left.simulation->dt() == right.simulation->dt() &&
+                !left.simulation->model().limits_follow_state() &&
+                !right.simulation->model().limits_follow_state()),
       rows_(0) {
   refuse_unlike(left, right);
   if (interval_ <= 0) interval_ = usual_interval_of(left, right, until, together_);
