@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/common/brute_force.hpp"
 #include "tests/common/discs.hpp"
+#include "tests/common/momenta.hpp"
 
 using namespace clapotis;
 using namespace clapotis::tests;
@@ -18,31 +19,6 @@ Discs crowd(Index n, std::uint64_t seed) {
   const Vectors exponents = random_points(n, {-1, 1, -1, 1}, seed + 2);
   for (Index i = 0; i < n; ++i) discs.mass(i) = std::pow(10, exponents(i, 0));
   return discs;
-}
-
-struct Momenta {
-  Vector linear{0, 0};
-  double angular = 0;
-  double magnitude = 0, angular_magnitude = 0;  ///< sums of |p| and |r||p|
-};
-
-Momenta momenta(const Particles& p) {
-  Momenta sum;
-  for (Index i = 0; i < p.size(); ++i) {
-    const Vector r = row(p.position, i), mv = p.mass(i) * row(p.velocity, i);
-    sum.linear += mv;
-    sum.angular += r.x * mv.y - r.y * mv.x;
-    sum.magnitude += norm(mv);
-    sum.angular_magnitude += norm(r) * norm(mv);
-  }
-  return sum;
-}
-
-Vectors turned(const Vectors& a, double angle) {
-  Vectors result(a.rows(), 2);
-  result.col(0) = std::cos(angle) * a.col(0) - std::sin(angle) * a.col(1);
-  result.col(1) = std::sin(angle) * a.col(0) + std::cos(angle) * a.col(1);
-  return result;
 }
 
 }  // namespace

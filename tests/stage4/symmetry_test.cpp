@@ -4,6 +4,7 @@
 
 #include "stage4_sph/scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/common/momenta.hpp"
 #include "tests/stage4/brute_force.hpp"
 #include "tests/stage4/clouds.hpp"
 
@@ -13,31 +14,6 @@ using namespace clapotis::tests;
 namespace {
 
 Scene scene(const std::string& name) { return stage4::stage().scene(name); }
-
-struct Momenta {
-  Vector linear{0, 0};
-  double angular = 0;
-  double magnitude = 0, angular_magnitude = 0;  ///< sums of |p| and |r||p|
-};
-
-Momenta momenta(const Particles& p) {
-  Momenta sum;
-  for (Index i = 0; i < p.size(); ++i) {
-    const Vector r = row(p.position, i), mv = p.mass(i) * row(p.velocity, i);
-    sum.linear += mv;
-    sum.angular += r.x * mv.y - r.y * mv.x;
-    sum.magnitude += norm(mv);
-    sum.angular_magnitude += norm(r) * norm(mv);
-  }
-  return sum;
-}
-
-Vectors turned(const Vectors& a, double angle) {
-  Vectors result(a.rows(), 2);
-  result.col(0) = std::cos(angle) * a.col(0) - std::sin(angle) * a.col(1);
-  result.col(1) = std::sin(angle) * a.col(0) + std::cos(angle) * a.col(1);
-  return result;
-}
 
 Vectors accelerations(const Cloud& cloud, const Values& values) {
   Simulation sim(scene_of(cloud), typed(values));
