@@ -13,11 +13,12 @@ namespace clapotis {
 
 /// What is to be shown of a simulation.
 struct Viewpoint {
-  std::string colour_by = "speed";                 ///< one of `colourings`
-  std::optional<std::pair<double, double>> range;  ///< of the colours; that of almost all values otherwise
-  bool ghosts = true;                              ///< where the reference has the particles
-  bool grid = false;                               ///< the cells of the neighbour search
-  std::optional<Index> chosen = {};                ///< the particle whose neighbours are shown
+  std::string colour_by = "speed";  ///< one of `colourings`
+  /// Of the colours; that of almost all values otherwise.
+  std::optional<std::pair<double, double>> range = {};
+  bool ghosts = true;                ///< where the reference has the particles
+  bool grid = false;                 ///< the cells of the neighbour search
+  std::optional<Index> chosen = {};  ///< the particle whose neighbours are shown
 };
 
 /// What the particles can be coloured by: speed, in a fluid pressure, density_error and density, then force

@@ -58,8 +58,9 @@ double nice_length(double length) {
 }
 
 std::string two_digits(double value) {
-  const bool whole = std::abs(value) >= 10;
-  return whole ? written(value, std::chars_format::fixed, 0) : written(value, std::chars_format::general, 2);
+  const double size = std::abs(value);
+  if (size < 1) return written(value, std::chars_format::general, 2);
+  return written(value, std::chars_format::fixed, size < 10 ? 1 : 0);
 }
 
 std::string three_digits(double value) {

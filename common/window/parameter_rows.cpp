@@ -38,7 +38,7 @@ void ParameterRows::tooltip(const Parameter& p) const {
 ParameterRows::Group ParameterRows::group_of(const Parameter& parameter) {
   if (has_no_end(parameter)) return Group::stepped;
   if (parameter.name == step_parameter.name || parameter.name == cfl_parameter.name) return Group::time_step;
-  return parameter.change == Change::live ? Group::live : Group::restart;
+  return parameter.change == Change::live && !parameter.derived ? Group::live : Group::restart;
 }
 
 void ParameterRows::lay_out(WindowState& state, Controls& controls, Group group) {

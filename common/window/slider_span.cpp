@@ -10,14 +10,16 @@
 namespace clapotis {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> greek{{{"alpha", "α"},
-                                                                              {"beta", "β"},
-                                                                              {"gamma", "γ"},
-                                                                              {"delta", "δ"},
-                                                                              {"mu", "μ"},
-                                                                              {"nu", "ν"},
-                                                                              {"rho", "ρ"},
-                                                                              {"sigma", "σ"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> greek{{{"alpha", "α"},
+                                                                               {"beta", "β"},
+                                                                               {"gamma", "γ"},
+                                                                               {"delta", "δ"},
+                                                                               {"epsilon", "ε"},
+                                                                               {"mu", "μ"},
+                                                                               {"nu", "ν"},
+                                                                               {"rho", "ρ"},
+                                                                               {"sigma", "σ"},
+                                                                               {"omega", "ω"}}};
 
 /// What a value may reasonably be where neither range nor default tells: a length of the scene, its greatest
 /// speed.
@@ -74,10 +76,14 @@ std::string printed_unit(const Parameter& parameter, const std::string& length_u
 std::string printed_symbol(const Parameter& parameter) {
   std::string text = parameter.symbol.empty() ? parameter.name : parameter.symbol;
   for (const auto& [name, letter] : greek) {
-    if (text.starts_with(name)) return text.replace(0, name.size(), letter);
+    if (!text.starts_with(name)) continue;
+    text.replace(0, name.size(), letter);
+    break;
   }
-  const bool zero = text.size() > 1 && text.back() == '0';
-  return zero ? text.substr(0, text.size() - 1) + "₀" : text;
+  for (const std::string_view zero : {"_0", "0"})
+    if (text.size() > zero.size() && text.ends_with(zero))
+      return text.substr(0, text.size() - zero.size()) + "₀";
+  return text;
 }
 
 }  // namespace clapotis

@@ -11,7 +11,7 @@ StepLight step_light(const Simulation& simulation) {
   const double share = nearest != nullptr ? dt / nearest->limit : 0;
   using enum StepLight::Colour;
   if (share > 1 + rounding) return {red, *nearest, share};
-  if (share > close) return {amber, *nearest, share};
+  if (share > close + rounding) return {amber, *nearest, share};
   const auto& binding = simulation.binding_limit();
   return {calm, binding, dt / binding.limit};
 }

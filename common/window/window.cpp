@@ -123,7 +123,7 @@ class Window {
     if (state_.panel) panel_.lay_out(state_, panel);
     state_.close_menu = false;
     lay_out_divergence(state_, view_.view().scene, controls_);
-    lay_out_notice(state_, view_.view().scene, elapsed);
+    lay_out_notice(state_, scene, elapsed);  // low, over the plots: water lies at the bottom of its scene
     lay_out_help(state_, scene);
     screen_.end_frame();
     if (std::exchange(state_.picture_wanted, false))

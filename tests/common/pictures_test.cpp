@@ -172,6 +172,7 @@ TEST_CASE("a time step that changes at each step keeps its width on the screen",
   CHECK(three_digits(1.0471e-3) == "1.05e-3");
   CHECK(two_digits(0.0342) == "0.034");
   CHECK(two_digits(1.62) == "1.6");
+  CHECK(two_digits(8) == "8.0");
   CHECK(two_digits(123.4) == "123");
 }
 

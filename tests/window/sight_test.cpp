@@ -129,6 +129,7 @@ TEST_CASE("units, symbols and limits are short enough for a row", "[window]") {
   CHECK(printed_unit(*table.find("gravity"), "px") == "px/s²");
   CHECK(printed_symbol(*table.find("drag")) == "β");
   CHECK(printed_symbol(*table.find("vx0")) == "vx₀");
+  CHECK(printed_symbol({.name = "reference_density", .symbol = "rho_0", .unit = {}}) == "ρ₀");
   CHECK(short_range(table.find("restitution")->range) == "0 … 1");
   CHECK(short_range(table.find("gravity")->range) == "≥ 0");
   CHECK(short_range(table.find("stiffness")->range) == "> 0");
