@@ -204,7 +204,7 @@ constexpr Words english{
             .time_step = "Time step",
             .share_of_limit = "{share} % of the limit {limit} s\n{name}: {formula}",
             .close_to_instability = "close to the limit of stability",
-            .beyond_stability = "beyond the limit: expect the run to diverge",
+            .beyond_stability = "beyond the limit of stability",
             .view = "View",
             .colour_by = "colour",
             .lock_range = "lock",
