@@ -6,6 +6,7 @@
 #include "common/references/dam_break_front.hpp"
 #include "common/references/elliptical_drop.hpp"
 #include "common/references/hydrostatic.hpp"
+#include "common/references/released_column.hpp"
 #include "common/references/square_patch.hpp"
 #include "stage4_sph/handout.hpp"
 #include "stage4_sph/liquid.hpp"
@@ -29,7 +30,10 @@ Setup dam_break(Parameters& p) {
               .reference = dam_break_experiment(front(fluid.spacing), a, g),
               .fluid = fluid,
               .measures = {front(fluid.spacing)}};
-  rest_under_weight(setup.particles, p, height);
+  const ReleasedColumn start{a, height, fluid.state.reference_density, g};
+  for (Index i = 0; i < setup.particles.size(); ++i)
+    setup.particles.density(i) =
+        fluid.state.density(start.pressure(setup.particles.position(i, 0), setup.particles.position(i, 1)));
   return setup;
 }
 
