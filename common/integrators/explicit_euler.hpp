@@ -11,8 +11,7 @@ class ExplicitEuler final : public Integrator {
  public:
   void step(System& s, double dt) override {
     s.evaluate_density_rate();
-    s.assign(s.position, s.position + dt * s.velocity);
-    s.assign(s.velocity, s.velocity + dt * s.acceleration);
+    s.assign(s.position, s.position + dt * s.velocity, s.velocity, s.velocity + dt * s.acceleration);
     if (s.advances_density()) s.assign(s.density, s.density + dt * s.density_rate);
     s.dissipated_energy += dt * (s.dissipation + s.diffusion);
   }

@@ -13,8 +13,7 @@ class VelocityVerlet final : public Integrator {
   void step(System& s, double dt) override {
     s.assign(s.velocity, s.velocity + dt / 2 * s.acceleration);
     s.drift(dt);
-    s.assign(half_, s.velocity);
-    s.assign(s.velocity, half_ + dt / 2 * s.acceleration);
+    s.assign(half_, s.velocity, s.velocity, s.velocity + dt / 2 * s.acceleration);
     s.dissipated_energy += dt / 2 * s.dissipation;
     s.evaluate(s.time + dt);
     s.assign(s.velocity, half_ + dt / 2 * s.acceleration);

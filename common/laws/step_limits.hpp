@@ -24,7 +24,7 @@ struct AcousticStep {
     constexpr double stable = 1.7;
     return {.name = "acoustic",
             .formula = "1.7 h/(c + |v|)",
-            .limit = stable * h / (sound_speed + greatest_norm(particles.velocity)),
+            .limit = stable * h / (sound_speed + greatest_norm(particles.velocity, particles.threads)),
             .share = cfl / stable};
   }
 };
@@ -40,7 +40,7 @@ struct ForceStep {
   [[nodiscard]] StepLimit limit(const Particles& particles) const {
     return {.name = "force",
             .formula = "sqrt(h/|a|)",
-            .limit = std::sqrt(h / greatest_norm(particles.acceleration)),
+            .limit = std::sqrt(h / greatest_norm(particles.acceleration, particles.threads)),
             .share = 0.25,
             .stability = false};
   }

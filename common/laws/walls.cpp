@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/particles/parallel.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/simulation/model.hpp"
-#include "common/simulation/parallel.hpp"
 #include "common/simulation/system.hpp"
 #include "common/words.hpp"
 
@@ -52,15 +52,17 @@ double clamp_axis(double low, double high, double e, double dt, Normal& n, long 
 /// at the wall.
 template <class Pressing>
 void settle_all(const Walls& walls, System& s, double dt, const Pressing& pressing) {
-  std::vector<long long> folded(blocks_of(s.position.rows()), 0);
-  s.dissipated_energy += sum_over(s.position.rows(), s.model.threads, [&](Index i, std::size_t block) {
-    Vector r = row(s.position, i), v = row(s.velocity, i);
-    if (r.x >= walls.left && r.x <= walls.right && r.y >= walls.bottom && r.y <= walls.top) return 0.0;
-    const double lost = s.particles.mass(i) * walls.clamp(r, v, pressing(i), dt, folded[block]);
-    s.position.row(i) << r.x, r.y;
-    s.velocity.row(i) << v.x, v.y;
-    return lost;
-  });
+  const Index n = s.position.rows();
+  std::vector<long long> folded(blocks_of(n), 0);
+  s.dissipated_energy +=
+      sum_over(n, threads_for_little(n, s.particles.threads), [&](Index i, std::size_t block) {
+        Vector r = row(s.position, i), v = row(s.velocity, i);
+        if (r.x >= walls.left && r.x <= walls.right && r.y >= walls.bottom && r.y <= walls.top) return 0.0;
+        const double lost = s.particles.mass(i) * walls.clamp(r, v, pressing(i), dt, folded[block]);
+        s.position.row(i) << r.x, r.y;
+        s.velocity.row(i) << v.x, v.y;
+        return lost;
+      });
   for (const auto count : folded) s.model.folded += count;
 }
 

@@ -38,7 +38,7 @@ Vector centre_of_mass(const Particles& particles) {
   return (1 / mass) * sum_by_mass(particles, particles.position);
 }
 
-double max_speed(const Particles& particles) { return greatest_norm(particles.velocity); }
+double max_speed(const Particles& particles) { return greatest_norm(particles.velocity, particles.threads); }
 
 double density_error(const Particles& particles, const Fluid& fluid) {
   return std::sqrt((particles.density / fluid.state.reference_density - 1).square().mean());

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "common/particles/parallel.hpp"
 
 namespace clapotis {
 namespace {
@@ -12,17 +16,41 @@ double anchor(double least, double side) {
   return line <= least && least - line <= side ? line : least;  // far away, lines are rounded by many cells
 }
 
+struct Extent {
+  Vector low, high;
+};
+
+/// The part of n things that is the share of one out of `shares`.
+struct Share {
+  Index first, last;
+};
+Share share_of(Index n, Index share, Index shares) { return {n * share / shares, n * (share + 1) / shares}; }
+
+/// What the particles cover. A NaN changes it as little as one particle less, unless all are.
+Extent extent(const Vectors& position, int shares) {
+  if (position.rows() < shares) return {};
+  std::vector<Extent> parts(static_cast<std::size_t>(shares));
+  for_each_block(shares, shares, [&](Index share) {
+    const auto [first, last] = share_of(position.rows(), share, shares);
+    const auto x = position.col(0).segment(first, last - first),
+               y = position.col(1).segment(first, last - first);
+    parts[static_cast<std::size_t>(share)] = {
+        {x.minCoeff<Eigen::PropagateNumbers>(), y.minCoeff<Eigen::PropagateNumbers>()},
+        {x.maxCoeff<Eigen::PropagateNumbers>(), y.maxCoeff<Eigen::PropagateNumbers>()}};
+  });
+  Extent all = parts.front();
+  for (const auto& [low, high] : parts) {  // fmin and fmax pass over a NaN
+    all.low = {std::fmin(all.low.x, low.x), std::fmin(all.low.y, low.y)};
+    all.high = {std::fmax(all.high.x, high.x), std::fmax(all.high.y, high.y)};
+  }
+  return all;
+}
+
 }  // namespace
 
-void CellGrid::lay_out(const Vectors& position, double support) {
+void CellGrid::lay_out(const Vectors& position, double support, int shares) {
   const double n = static_cast<double>(position.rows());
-  Vector low{0, 0}, high{0, 0};
-  if (n > 0) {  // a NaN changes neither, unless all are
-    low = {position.col(0).minCoeff<Eigen::PropagateNumbers>(),
-           position.col(1).minCoeff<Eigen::PropagateNumbers>()};
-    high = {position.col(0).maxCoeff<Eigen::PropagateNumbers>(),
-            position.col(1).maxCoeff<Eigen::PropagateNumbers>()};
-  }
+  const auto [low, high] = extent(position, shares);
   const double width = high.x - low.x, height = high.y - low.y;
   const double most_cells = 4 * n + 64;
   height_ = reach_ = support * (1 + 1e-6);  // so that round-off cannot hide a neighbour
@@ -44,29 +72,64 @@ void CellGrid::lay_out(const Vectors& position, double support) {
   lines_ = static_cast<Index>((high.y - origin_.y) * inverse_height_) + 1;
 }
 
-void CellGrid::build(const Vectors& position, double support, int /*threads*/) {
-  lay_out(position, support);
-  const auto n = static_cast<std::size_t>(position.rows());
-  cell_of_.resize(n);
-  order_.resize(n);
-  starts_.assign(static_cast<std::size_t>(columns_ * lines_) + 1, 0);
+/// Counting sort. Each share of the particles counts by itself how many it has in every cell; then the cells
+/// are laid one after the other, in each the shares in their order, and every share fills its own places. So
+/// the order within a cell is that of the particles, with any number of shares. The last share counts in
+/// `starts_`, one entry ahead: when its places are filled, each entry is where the next cell starts.
+void CellGrid::build(const Vectors& position, double support, int threads) {
+  const Index n = position.rows();
+  const int shares = threads_for_little(n, threads);
+  lay_out(position, support, shares);
+  const Index cells = columns_ * lines_;
+  cell_of_.resize(static_cast<std::size_t>(n));
+  order_.resize(static_cast<std::size_t>(n));
+  starts_.resize(static_cast<std::size_t>(cells) + 1);
+  starts_[0] = 0;
+  counts_.resize(static_cast<std::size_t>((shares - 1) * cells));
+  const auto counts = [&](Index share) {
+    return share + 1 == shares ? starts_.data() + 1 : counts_.data() + share * cells;
+  };
 
   const double *x = position.col(0).data(), *y = position.col(1).data();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Index cell = place(y[i] - origin_.y, inverse_height_, lines_) * columns_ +
-                       place(x[i] - origin_.x, inverse_width_, columns_);
-    cell_of_[i] = static_cast<std::int32_t>(cell);
-    ++starts_[static_cast<std::size_t>(cell)];
+  for_each_block(shares, shares, [&](Index share) {
+    auto* count = counts(share);
+    std::fill(count, count + cells, 0);
+    const auto [first, last] = share_of(n, share, shares);
+    for (Index i = first; i < last; ++i) {
+      const Index cell = place(y[i] - origin_.y, inverse_height_, lines_) * columns_ +
+                         place(x[i] - origin_.x, inverse_width_, columns_);
+      cell_of_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(cell);
+      ++count[cell];
+    }
+  });
+  std::vector<std::int32_t> totals(static_cast<std::size_t>(shares) + 1, 0);  // in each share of the cells
+  if (shares > 1) {
+    for_each_block(shares, shares, [&](Index part) {
+      const auto [first, last] = share_of(cells, part, shares);
+      auto& total = totals[static_cast<std::size_t>(part) + 1];
+      for (Index share = 0; share < shares; ++share)
+        total = std::accumulate(counts(share) + first, counts(share) + last, total);
+    });
+    std::partial_sum(totals.begin(), totals.end(), totals.begin());
   }
-  std::int32_t total = 0;
-  for (auto& start : starts_) total = start = total + start;  // now the end of each cell
-  for (std::size_t i = n; i-- > 0;)
-    order_[static_cast<std::size_t>(--starts_[static_cast<std::size_t>(cell_of_[i])])] =
-        static_cast<std::int32_t>(i);
+  for_each_block(shares, shares, [&](Index part) {
+    std::int32_t total = totals[static_cast<std::size_t>(part)];
+    const auto [first, last] = share_of(cells, part, shares);
+    for (Index c = first; c < last; ++c)
+      for (Index share = 0; share < shares; ++share) total += std::exchange(counts(share)[c], total);
+  });
+  for_each_block(shares, shares, [&](Index share) {
+    auto* next = counts(share);
+    const auto [first, last] = share_of(n, share, shares);
+    for (Index i = first; i < last; ++i)
+      order_[static_cast<std::size_t>(next[cell_of_[static_cast<std::size_t>(i)]]++)] =
+          static_cast<std::int32_t>(i);
+  });
 }
 
 std::size_t CellGrid::bytes() const {
-  return (starts_.capacity() + cell_of_.capacity() + order_.capacity()) * sizeof(std::int32_t);
+  return (starts_.capacity() + counts_.capacity() + cell_of_.capacity() + order_.capacity()) *
+         sizeof(std::int32_t);
 }
 
 }  // namespace clapotis

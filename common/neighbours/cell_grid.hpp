@@ -47,7 +47,7 @@ class CellGrid {
     const double cells = distance * inverse_side;
     return cells > 0 ? static_cast<Index>(std::min(cells, static_cast<double>(count - 1))) : 0;
   }
-  void lay_out(const Vectors& position, double support);
+  void lay_out(const Vectors& position, double support, int shares);
 
   Vector origin_{0, 0};
   int slices_ = 1;
@@ -55,6 +55,7 @@ class CellGrid {
   double reach_ = 1;  ///< how far from a particle the ranges go along x [L]
   Index columns_ = 1, lines_ = 1;
   std::vector<std::int32_t> starts_;   ///< first slot of each cell, one more at the end
+  std::vector<std::int32_t> counts_;   ///< particles of each cell in all shares but the last
   std::vector<std::int32_t> cell_of_;  ///< of each particle
   std::vector<std::int32_t> order_;    ///< slot -> particle
 };

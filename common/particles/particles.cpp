@@ -1,12 +1,31 @@
 #include "common/particles/particles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "common/particles/parallel.hpp"
+
 namespace clapotis {
 
-double greatest_norm(const Vectors& a) {
-  return a.rows() == 0 ? 0 : std::sqrt(a.square().rowwise().sum().maxCoeff<Eigen::PropagateNaN>());
+double greatest_norm(const Vectors& a, int threads) {
+  const auto squares =
+      of_blocks(a.rows(), threads_for_little(a.rows(), threads), [&](Index first, Index count) {
+        return a.middleRows(first, count).square().rowwise().sum().maxCoeff<Eigen::PropagateNaN>();
+      });
+  double most = 0;
+  for (const double square : squares) most = std::isnan(square) || square > most ? square : most;
+  return std::sqrt(most);
+}
+
+bool Particles::finite() const {
+  const auto all =
+      of_blocks(size(), threads_for_little(size(), threads), [&](Index first, Index count) -> char {
+        return position.middleRows(first, count).allFinite() &&
+               velocity.middleRows(first, count).allFinite() &&
+               (density.size() == 0 || density.middleRows(first, count).allFinite());
+      });
+  return std::all_of(all.begin(), all.end(), [](char yes) { return yes != 0; });
 }
 
 Particles::Particles(Index count, double mass)

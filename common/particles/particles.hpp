@@ -25,7 +25,7 @@ struct NamedColumn {
 };
 
 /// The greatest length of the vectors; NaN if any is, 0 if there are none.
-double greatest_norm(const Vectors& a);
+double greatest_norm(const Vectors& a, int threads = 1);
 
 /// The particles of a scene, as columns (structure of arrays). A particle's id is its place, 0 to n-1.
 /// Position, velocity and acceleration always exist, density and pressure in a fluid; `extra` holds what the
@@ -42,6 +42,7 @@ struct Particles {
   Column density_rate;   ///< d rho/dt; empty unless the density is advanced by the equation of continuity
   Column pressure;       ///< p of that density at the last evaluation [kg/(L s^2)]; empty without a fluid
   double uniform_mass = 1;
+  int threads = 1;                 ///< that share what is done with all of them
   std::string_view kind = "disc";  ///< what they are, for files: disc, fluid
   std::deque<NamedColumn> extra;   ///< a deque: columns stay where they are when others are added
 
@@ -50,6 +51,8 @@ struct Particles {
     return masses_ != none ? extra[masses_].values(i) : uniform_mass;
   }
 
+  /// Whether all positions, velocities and densities are numbers.
+  [[nodiscard]] bool finite() const;
   /// The smallest mass: what bounds the time step.
   [[nodiscard]] double least_mass() const;
   /// The largest mass: what it moves with may pass to the lightest.

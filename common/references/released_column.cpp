@@ -1,6 +1,7 @@
 #include "common/references/released_column.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "common/references/require.hpp"
@@ -8,6 +9,8 @@
 namespace clapotis {
 
 namespace {
+
+using std::numbers::pi;
 
 void check(const ReleasedColumn& c, double x, double y) {
   const auto demand = [](bool holds, const char* name, double value, const char* range) {
@@ -21,14 +24,23 @@ void check(const ReleasedColumn& c, double x, double y) {
   demand(std::isfinite(y), "y [m]", y, "finite");
 }
 
-/// The sum of the header over a, up to the first term that cannot be seen: the sign of the terms changes. The
-/// hyperbolic functions are written with exponentials that cannot overflow. All lengths in units of a.
+/// The sum of the header over a, up to the first term that cannot be seen: the sign of the terms changes.
+/// With z = exp(k (i x - y)) and z' = exp(k (i x - 2 H + y)), a term is the real part of (z - z')/(1 + exp(-2
+/// k H)), in which nothing overflows; from one term to the next, k grows by pi. All lengths in units of a.
 double series(double x, double y, double height) {
+  const auto wave = [&](double k, double down) { return std::polar(std::exp(-k * down), k * x); };
+  constexpr double first = pi / 2;
+  auto z = wave(first, y), mirrored = wave(first, 2 * height - y);
+  const auto grow = wave(pi, y), grow_mirrored = wave(pi, 2 * height - y);
+  double below = std::exp(-2 * first * height);
+  const double grow_below = std::exp(-2 * pi * height);
   double sum = 0, sign = 1, bound = 1;
-  for (double k = std::numbers::pi / 2; bound > 1e-9; k += std::numbers::pi, sign = -sign) {
-    bound = std::exp(-k * y) / (k * k);
-    sum +=
-        sign * bound * std::cos(k * x) * -std::expm1(-2 * k * (height - y)) / (1 + std::exp(-2 * k * height));
+  for (double k = first; bound > 1e-9; k += pi, sign = -sign) {
+    sum += sign * (z - mirrored).real() / (k * k * (1 + below));
+    bound = (std::abs(z.real()) + std::abs(z.imag())) / (k * k);
+    z *= grow;
+    mirrored *= grow_mirrored;
+    below *= grow_below;
   }
   return 2 * sum;
 }

@@ -41,7 +41,7 @@ void FluidArrangement::add_images(int axis) {
   places_ = std::move(all);
 }
 
-void FluidArrangement::sort(const Particles& particles, int threads) {
+void FluidArrangement::sort(const Particles& particles) {
   count_ = particles.size();
   images_.clear();
   if (periodic()) {  // an integrator may have carried some beyond the edge, where they would see no images
@@ -50,7 +50,7 @@ void FluidArrangement::sort(const Particles& particles, int threads) {
     add_images(0);
     add_images(1);
   }
-  grid.build(periodic() ? places_ : particles.position, support_, threads);
+  grid.build(periodic() ? places_ : particles.position, support_, particles.threads);
   columns.resize(slots());
 }
 

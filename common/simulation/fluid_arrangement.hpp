@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "common/particles/parallel.hpp"
 #include "common/simulation/fluid_columns.hpp"
 #include "common/simulation/model.hpp"
-#include "common/simulation/parallel.hpp"
 
 namespace clapotis {
 
@@ -28,12 +28,12 @@ class FluidArrangement {
 
   /// Sorts, and brings positions and velocities along; then calls finish(slot, id) for what else is wanted.
   template <class Finish>
-  void build(const Particles& particles, int threads, const Finish& finish) {
-    sort(particles, threads);
+  void build(const Particles& particles, const Finish& finish) {
+    sort(particles);
     const Vectors& places = periodic() ? places_ : particles.position;
     const double *x = places.col(0).data(), *y = places.col(1).data();
     const double *vx = particles.velocity.col(0).data(), *vy = particles.velocity.col(1).data();
-    for_each(slots(), threads, [&](Index slot) {
+    for_each(slots(), particles.threads, [&](Index slot) {
       const Index place = grid.id(slot), i = id(slot);
       columns.x(slot) = finite_or(x[place], far_away);
       columns.y(slot) = finite_or(y[place], far_away);
@@ -62,7 +62,7 @@ class FluidArrangement {
  private:
   static constexpr double far_away = 1e100;  ///< and yet (v d)^2 is a number [L]
 
-  void sort(const Particles& particles, int threads);
+  void sort(const Particles& particles);
   void add_images(int axis);
   [[nodiscard]] bool periodic() const { return period_.length.x > 0 || period_.length.y > 0; }
 

@@ -54,19 +54,18 @@ class FluidModel final : public Model {
     }
     {
       const PhaseTimer timer(timed, seconds.walls);
-      wet_walls();
+      wet_walls(s.particles.threads);
     }
     const PhaseTimer timer(timed, seconds.forces);
     met_at_one_point_ = 0;
-    s.dissipation =
-        accelerate<Laws...>(s.particles, t, s.acceleration) + laws_.dissipation(s.particles, threads);
+    s.dissipation = accelerate<Laws...>(s.particles, t, s.acceleration) + laws_.dissipation(s.particles);
     coincident += met_at_one_point_ / 2;
   }
 
   void evaluate_density_rate(System& s) override {
     arrange(s.particles);
     const PhaseTimer timer(timed, seconds.density);
-    s.diffusion = sum_over(sorted_.slots(), threads, [&](Index slot, std::size_t) {
+    s.diffusion = sum_over(sorted_.slots(), s.particles.threads, [&](Index slot, std::size_t) {
       return sorted_.is_image(slot) ? 0.0 : continuity(slot, s.particles.density_rate);
     });
   }
@@ -84,14 +83,14 @@ class FluidModel final : public Model {
     // a sum of densities is that of the places as they stand, which may have changed since it was taken
     const bool sums = form_ == DensityForm::summation;
     if (sums) arrange(particles);
-    return {
-        .potential = laws_.potential(particles, threads),
-        .internal = sum_over(sums ? sorted_.slots() : particles.size(), threads, [&](Index k, std::size_t) {
-          if (sums && sorted_.is_image(k)) return 0.0;
-          const double density =
-              sums ? fluid_.mass * sum_of_kernels(sorted_.columns.position(k)) : particles.density(k);
-          return fluid_.mass * fluid_.state.energy(density);
-        })};
+    return {.potential = laws_.potential(particles),
+            .internal = sum_over(
+                sums ? sorted_.slots() : particles.size(), particles.threads, [&](Index k, std::size_t) {
+                  if (sums && sorted_.is_image(k)) return 0.0;
+                  const double density =
+                      sums ? fluid_.mass * sum_of_kernels(sorted_.columns.position(k)) : particles.density(k);
+                  return fluid_.mass * fluid_.state.energy(density);
+                })};
   }
   [[nodiscard]] std::vector<StepLimit> limits(const Particles& particles) const override {
     return laws_.limits(particles);
@@ -131,10 +130,9 @@ class FluidModel final : public Model {
   void arrange(const Particles& particles) {
     const PhaseTimer timer(timed, seconds.neighbours);
     if (form_ == DensityForm::continuity)
-      sorted_.build(particles, threads,
-                    [&](Index slot, Index i) { take_density(slot, particles.density(i)); });
+      sorted_.build(particles, [&](Index slot, Index i) { take_density(slot, particles.density(i)); });
     else
-      sorted_.build(particles, threads, [](Index, Index) {});
+      sorted_.build(particles, [](Index, Index) {});
   }
 
   /// V = m/rho, and p by the Cole equation.
@@ -168,13 +166,13 @@ class FluidModel final : public Model {
 
   /// rho_i = sum_j m W, walls included.
   void sum_density(Particles& particles) {
-    for_each(sorted_.slots(), threads, [&](Index slot) {
+    for_each(sorted_.slots(), particles.threads, [&](Index slot) {
       if (sorted_.is_image(slot)) return;
       // everyone finds itself, but for one without a place, whose volume must stay finite
       const double sum = max(sum_of_kernels(sorted_.columns.position(slot)), kernel_.value(0.0));
       particles.density(sorted_.id(slot)) = fluid_.mass * sum;
     });
-    for_each(sorted_.slots(), threads,
+    for_each(sorted_.slots(), particles.threads,
              [&](Index slot) { take_density(slot, particles.density(sorted_.id(slot))); });
   }
   [[gnu::flatten]] double sum_of_kernels(const Vector& r) const {
@@ -215,7 +213,7 @@ class FluidModel final : public Model {
   }
 
   /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.
-  void wet_walls() {
+  void wet_walls(int threads) {
     for_each(walls_.size(), threads, [&](Index slot) { wet_wall(slot); });
   }
   [[gnu::flatten]] void wet_wall(Index slot) {
@@ -244,7 +242,7 @@ class FluidModel final : public Model {
   template <class... Some>
   double accelerate(Particles& particles, double t, Vectors& a) {
     const auto p = view_of<UniformMass>(particles);
-    return sum_over(sorted_.slots(), threads, [&](Index slot, std::size_t) {
+    return sum_over(sorted_.slots(), particles.threads, [&](Index slot, std::size_t) {
       if (sorted_.is_image(slot)) return 0.0;
       const Index i = sorted_.id(slot);
       Vector acceleration = laws_.template body<Some...>(p, i, t);

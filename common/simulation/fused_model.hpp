@@ -34,13 +34,13 @@ class FusedModel final : public Model {
 
   void evaluate(System& s, double t) override {
     accelerate<Laws...>(s.particles, t, s.acceleration);
-    s.dissipation = laws_.dissipation(s.particles, threads);
+    s.dissipation = laws_.dissipation(s.particles);
   }
   void settle(System& s, double dt) override { laws_.settle(s, dt); }
   void refresh(Parameters& parameters) override { laws_.refresh(parameters); }
 
   [[nodiscard]] StoredEnergy stored_energy(const Particles& particles) override {
-    StoredEnergy energy{.potential = laws_.potential(particles, threads)};
+    StoredEnergy energy{.potential = laws_.potential(particles)};
     if constexpr (pairs) energy.elastic = pair_energy(particles);
     return energy;
   }
@@ -78,11 +78,11 @@ class FusedModel final : public Model {
     if constexpr ((ActsOnPair<Some> || ...)) {
       {
         const PhaseTimer timer(timed, seconds.neighbours);
-        sweep_.build(particles, support(), threads);
+        sweep_.build(particles, support());
       }
       const PhaseTimer timer(timed, seconds.forces);
       std::atomic<long long> at_one_point = 0;
-      for_each(particles.size(), threads, [&](Slot slot) {
+      for_each(particles.size(), particles.threads, [&](Slot slot) {
         const Index i = sweep_.search.id(slot);
         const Vector sum = bodies(i) + by_pairs<Some...>(slot, at_one_point);
         a(i, 0) = sum.x;
@@ -91,7 +91,7 @@ class FusedModel final : public Model {
       coincident += at_one_point / 2;
     } else {
       const PhaseTimer timer(timed, seconds.forces);
-      for_each(particles.size(), threads, [&](Index i) {
+      for_each(particles.size(), particles.threads, [&](Index i) {
         const Vector sum = bodies(i);
         a(i, 0) = sum.x;
         a(i, 1) = sum.y;
@@ -126,9 +126,9 @@ class FusedModel final : public Model {
   }
 
   double pair_energy(const Particles& particles) {
-    sweep_.build(particles, support(), threads);
+    sweep_.build(particles, support());
     const auto& p = sweep_.view();
-    return sum_over(particles.size(), threads, [&](Slot slot, std::size_t) {
+    return sum_over(particles.size(), particles.threads, [&](Slot slot, std::size_t) {
       const auto all_laws = [&](Run j, const Encounter& ij) {
         Pack sum(0.0);
         laws_.each([&](const auto& law) {
@@ -167,7 +167,7 @@ std::optional<Neighbourhood> FusedModel<Search, Mass, Laws...>::neighbourhood(co
   if constexpr (!pairs) {
     return std::nullopt;
   } else {
-    sweep_.build(particles, support(), threads);
+    sweep_.build(particles, support());
     Neighbourhood near{.support = support(),
                        .cell = sweep_.search.cell(),
                        .origin = sweep_.search.origin(),
@@ -190,7 +190,7 @@ template <class Search, class Mass, Law... Laws>
 PairCount FusedModel<Search, Mass, Laws...>::count_pairs(const Particles& particles) {
   PairCount count;
   if constexpr (pairs) {
-    sweep_.build(particles, support(), threads);
+    sweep_.build(particles, support());
     for (Slot slot = 0; slot < particles.size(); ++slot) {
       sweep_.search.candidates(sweep_.position(slot),
                                [&](Slot first, Slot last) { count.candidates += last - first; });

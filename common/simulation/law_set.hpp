@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/laws/law.hpp"
+#include "common/particles/parallel.hpp"
 #include "common/simulation/model.hpp"
-#include "common/simulation/parallel.hpp"
 #include "common/simulation/system.hpp"
 
 namespace clapotis {
@@ -44,31 +44,33 @@ class LawSet {
     return total;
   }
   /// Power that the laws on one particle take out of the motion of all.
-  [[nodiscard]] double dissipation(const Particles& particles, int threads) const {
+  [[nodiscard]] double dissipation(const Particles& particles) const {
     if constexpr (!(Dissipates<Laws> || ...)) {
       return 0;
     } else {
       const auto p = view_of<Mass>(particles);
-      return sum_over(particles.size(), threads, [&](Index i, std::size_t) {
-        return sum([&](const auto& law) {
-          if constexpr (requires { law.dissipation(p, i); })
-            return law.dissipation(p, i);
-          else
-            return 0.0;
-        });
-      });
+      return sum_over(particles.size(), threads_for_little(particles.size(), particles.threads),
+                      [&](Index i, std::size_t) {
+                        return sum([&](const auto& law) {
+                          if constexpr (requires { law.dissipation(p, i); })
+                            return law.dissipation(p, i);
+                          else
+                            return 0.0;
+                        });
+                      });
     }
   }
-  [[nodiscard]] double potential(const Particles& particles, int threads) const {
+  [[nodiscard]] double potential(const Particles& particles) const {
     const auto p = view_of<Mass>(particles);
-    return sum_over(particles.size(), threads, [&](Index i, std::size_t) {
-      return sum([&](const auto& law) {
-        if constexpr (requires { law.potential(p, i); })
-          return law.potential(p, i);
-        else
-          return 0.0;
-      });
-    });
+    return sum_over(particles.size(), threads_for_little(particles.size(), particles.threads),
+                    [&](Index i, std::size_t) {
+                      return sum([&](const auto& law) {
+                        if constexpr (requires { law.potential(p, i); })
+                          return law.potential(p, i);
+                        else
+                          return 0.0;
+                      });
+                    });
   }
   void settle(System& s, double dt) {
     const auto settle_one = [&](auto& law) {

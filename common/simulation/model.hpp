@@ -89,7 +89,6 @@ class Model {
 
   PhaseSeconds seconds;  ///< spent while `timed` was set
   bool timed = false;
-  int threads = 1;
   long long coincident = 0;  ///< pairs met at one point so far
   long long folded = 0;      ///< reflections beyond one box in one step so far
 };

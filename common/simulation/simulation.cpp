@@ -46,7 +46,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   parameters_.number(cfl_parameter);
   parameters_.reject_unknown();
   if (threads < 1) throw BadInput(say(words().threads_out_of_range, fmt::arg("value", threads)));
-  setup_.model->threads = threads;
+  setup_.particles.threads = threads;
   system_ = std::make_unique<System>(std::move(setup_.particles), *setup_.model);
   use_integrator(integrator);
   if (setup_.fluid) {  // its density and accelerations count from the start
@@ -161,7 +161,7 @@ void Simulation::advance(double dt) {
 void Simulation::check(double dt) {
   const double speed = max_speed(particles());
   const auto& density = particles().density;
-  const bool finite = std::isfinite(speed) && particles().position.allFinite() && density.allFinite();
+  const bool finite = std::isfinite(speed) && particles().finite();
   if (finite && (speed <= fastest_ || fastest_ == 0)) return;
 
   Index particle = 0;

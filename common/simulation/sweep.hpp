@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/laws/law.hpp"
-#include "common/simulation/parallel.hpp"
+#include "common/particles/parallel.hpp"
 
 namespace clapotis {
 
@@ -21,18 +21,18 @@ class Sweep {
  public:
   Search search;
 
-  void build(const Particles& particles, double support, int threads) {
+  void build(const Particles& particles, double support) {
     support_ = support;
-    search.build(particles.position, support, threads);
+    search.build(particles.position, support, particles.threads);
     n_ = particles.size();
-    gather(x_, particles.position.col(0).data(), far_away, threads);
-    gather(y_, particles.position.col(1).data(), far_away, threads);
+    gather(x_, particles.position.col(0).data(), far_away, particles.threads);
+    gather(y_, particles.position.col(1).data(), far_away, particles.threads);
     if constexpr (with_velocity) {
-      gather(vx_, particles.velocity.col(0).data(), 0, threads);
-      gather(vy_, particles.velocity.col(1).data(), 0, threads);
+      gather(vx_, particles.velocity.col(0).data(), 0, particles.threads);
+      gather(vy_, particles.velocity.col(1).data(), 0, particles.threads);
     }
     if constexpr (std::is_same_v<Mass, StoredMass>)
-      gather(mass_, particles.column("mass")->data(), 1, threads);
+      gather(mass_, particles.column("mass")->data(), 1, particles.threads);
     view_ = make_view(particles);
   }
 

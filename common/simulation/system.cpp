@@ -4,8 +4,6 @@
 
 namespace clapotis {
 
-int System::threads() const { return model.threads; }
-
 void System::evaluate(double t) {
   model.evaluate(*this, t);
   if (bear) bear(*this);
@@ -23,9 +21,8 @@ void System::drift(double dt) {
   }
   assign(position, position + dt / 2 * velocity);
   evaluate_density_rate();
-  assign(density, density + dt * density_rate);
+  assign(density, density + dt * density_rate, position, position + dt / 2 * velocity);
   dissipated_energy += dt * diffusion;
-  assign(position, position + dt / 2 * velocity);
 }
 
 }  // namespace clapotis

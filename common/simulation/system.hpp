@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "common/particles/parallel.hpp"
 #include "common/particles/particles.hpp"
-#include "common/simulation/parallel.hpp"
 
 namespace clapotis {
 
@@ -35,16 +35,15 @@ struct System {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  /// target = expression, a block of rows at a time, shared between threads: the same bits with any number of
-  /// them.
-  template <class Target, class Expression>
-  void assign(Target& target, const Eigen::ArrayBase<Expression>& expression) const {
-    target.resize(expression.rows(), expression.cols());
-    for_blocks(expression.rows(), threads(), [&](Index first, Index count) {
-      target.middleRows(first, count) = expression.derived().middleRows(first, count);
-    });
+  /// target = expression, then the next pair of them, row by row, shared between threads: the same bits with
+  /// any number of them.
+  template <class Target, class Expression, class... More>
+  void assign(Target& target, const Expression& expression, More&&... more) const {
+    const Index n = expression.rows();
+    resize(n, target, expression, more...);
+    for_rows(n, threads_for_little(n, particles.threads),
+             [&](Index first, Index count) { assign_rows(first, count, target, expression, more...); });
   }
-  [[nodiscard]] int threads() const;
 
   /// Fills acceleration and dissipation from positions, velocities and densities, at time t.
   void evaluate(double t);
@@ -56,6 +55,18 @@ struct System {
 
   /// Moves with the velocity as it stands: x += dt v, and the density along the way, d rho/dt at its middle.
   void drift(double dt);
+
+ private:
+  static void resize(Index /*n*/) {}
+  static void resize(Index n, auto& target, const auto& expression, auto&... more) {
+    target.resize(n, expression.cols());
+    resize(n, more...);
+  }
+  static void assign_rows(Index /*first*/, Index /*count*/) {}
+  static void assign_rows(Index first, Index count, auto& target, const auto& expression, auto&... more) {
+    target.middleRows(first, count) = expression.middleRows(first, count);
+    assign_rows(first, count, more...);
+  }
 };
 
 }  // namespace clapotis
