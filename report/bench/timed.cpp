@@ -1,6 +1,7 @@
 #include "report/bench/timed.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -36,6 +37,22 @@ double median_seconds(const std::string& name, const std::function<void()>& act)
 
 double step_seconds(const std::string& name, Simulation& simulation) {
   return median_seconds(name, [&] { simulation.step(); });
+}
+
+double times_as_fast(Simulation& other, Simulation& base) {
+  constexpr int turns = 31, steps = 20;
+  const auto seconds = [](Simulation& simulation) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int step = 0; step < steps; ++step) simulation.step();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  std::vector<double> ratios;
+  for (int turn = 0; turn < turns; ++turn) {
+    const double before = seconds(base);
+    ratios.push_back(before / seconds(other));
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + turns / 2, ratios.end());
+  return ratios[turns / 2];
 }
 
 std::unique_ptr<Simulation> packed_cloud(const Stage& stage, long count, int threads) {
