@@ -27,6 +27,7 @@ export PATH="$box/tools:$PATH" BOX=$box
 unset DISPLAY WAYLAND_DISPLAY CI
 cat > "$house/report/bench/peers/pysph_dam_break.py" <<< $'#!/usr/bin/env bash\necho "peer $*"; exit 5'
 chmod +x "$house/report/bench/peers/pysph_dam_break.py"
+cp "$here/../../report/bench/peers/beside.py" "$house/report/bench/peers/"
 # shellcheck disable=SC2016  # to be expanded by the stand-ins
 stand_in dpkg-query <<< '[[ -e $BOX/installed ]] && for name in "${@:4}"; do echo "$name installed"; done'
 stand_in dpkg <<< ':'

@@ -1,17 +1,21 @@
 #!/usr/bin/python3 -Es
-"""Runs our dam break beside a peer's, with the peer's kernel, h/dx, viscosity and spacing, and prints both and their ratios.
+"""Runs a peer's dam break and ours in turns, with the peer's kernel, h/dx, viscosity and spacing, and prints both and
+their ratios: medians of three turns, since a machine that others use too changes its speed from second to second.
 
-beside.py PEER.json STAGE4_PROGRAM: PEER.json is what the peer's script left. Ours runs as many steps as the peer did where
-the peer counted steps, or else as long in simulated time with the time step that our scheme allows; one thread, double.
-An update is one particle of the fluid given its density rate, pressure and acceleration once.
+beside.py PEER_SCRIPT STAGE4_PROGRAM FILE.json [PEER_OPTION...]: FILE.json is where the peer's script leaves its figures.
+Ours runs as many steps as the peer did where the peer counted steps, or else as long in simulated time with the time step
+that our scheme allows; one thread, double. An update is one particle of the fluid given its density rate, pressure and
+acceleration once.
 """
 import json
+import statistics
 import subprocess
 import sys
 import tempfile
 
 WORDS = {
-    "usage": "usage: beside.py PEER.json STAGE4_PROGRAM",
+    "usage": "usage: beside.py PEER_SCRIPT STAGE4_PROGRAM FILE.json [PEER_OPTION...]",
+    "turn": "turn %d of %d",
     "failed": "our dam break ended with exit code %d",
     "head": "{:<28}{:>14}{:>14}{:>10}",
     "updates": "M updates per second",
@@ -22,44 +26,60 @@ WORDS = {
 }
 
 
+TURNS = 3
+
+
 def run_ours(program, peer):
-    """run.json of our dam break on the peer's terms, run three times: the one with the median rate."""
+    """run.json of our dam break on the peer's terms."""
     options = ["--set", "spacing=%r" % peer["dx"], "--set", "kernel=wendland_c2", "--set", "h_over_dx=1.3",
                "--set", "alpha=0.1", "--threads", "1", "--json", "--force"]
     if peer["cpu_seconds_per_simulated_second"] is None:
         options += ["--steps", str(peer["steps"])]
     else:
         options += ["--until", repr(peer["simulated_seconds"])]
-    runs = []
     with tempfile.TemporaryDirectory() as folder:
-        for _ in range(3):
-            done = subprocess.run([program, "dam_break", "--headless", "--out", folder + "/run", *options],
-                                  stdout=subprocess.PIPE, check=False)
-            if done.returncode:
-                sys.exit(WORDS["failed"] % done.returncode)
-            runs.append(json.loads(done.stdout))
-    return sorted(runs, key=lambda run: run["particle_updates_per_second"])[1]
+        done = subprocess.run([program, "dam_break", "--headless", "--out", folder + "/run", *options],
+                              stdout=subprocess.PIPE, check=False)
+    if done.returncode:
+        sys.exit(WORDS["failed"] % done.returncode)
+    return json.loads(done.stdout)
+
+
+def run_peer(script, file, options, turn):
+    """What the peer's script left in `file`; its own table is shown once."""
+    done = subprocess.run([script, "--json", file, *options], check=False,
+                          stdout=None if turn == 0 else subprocess.DEVNULL)
+    if done.returncode:
+        sys.exit(done.returncode)
+    with open(file) as result:
+        return json.load(result)
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 4:
         print(WORDS["usage"], file=sys.stderr)
         sys.exit(2)
-    with open(sys.argv[1]) as file:
-        peer = json.load(file)
-    ours = run_ours(sys.argv[2], peer)
+    script, program, file = sys.argv[1:4]
+    turns = []
+    for turn in range(TURNS):
+        print(WORDS["turn"] % (turn + 1, TURNS), file=sys.stderr)
+        peer = run_peer(script, file, sys.argv[4:], turn)
+        turns.append((run_ours(program, peer), peer))
+
+    def line(name, ours, theirs, form, less_is_better=False):
+        """Medians of both, and of the ratios."""
+        pairs = [(ours(mine), theirs(peer)) for mine, peer in turns]
+        ratio = statistics.median(b / a if less_is_better else a / b for a, b in pairs)
+        print(WORDS["head"].format(WORDS[name], form % statistics.median(a for a, _ in pairs),
+                                   form % statistics.median(b for _, b in pairs), "%.1f" % ratio))
+
     print(WORDS["head"].format("", WORDS["ours"], peer["peer"], WORDS["ratio"]))
-
-    def line(name, mine, other, ratio, form):
-        print(WORDS["head"].format(WORDS[name], form % mine, form % other, "%.1f" % ratio))
-
-    rate = ours["particle_updates_per_second"]
-    line("updates", rate / 1e6, peer["updates_per_second"] / 1e6, rate / peer["updates_per_second"], "%.2f")
-    line("steps", ours["steps"], peer["steps"], ours["steps"] / peer["steps"], "%d")
+    line("updates", lambda mine: mine["particle_updates_per_second"] / 1e6,
+         lambda peer: peer["updates_per_second"] / 1e6, "%.2f")
+    line("steps", lambda mine: mine["steps"], lambda peer: peer["steps"], "%d")
     if peer["cpu_seconds_per_simulated_second"] is not None:
-        cost = ours["cpu_seconds"] / ours["simulated_seconds"]
-        line("cost", cost, peer["cpu_seconds_per_simulated_second"],
-             peer["cpu_seconds_per_simulated_second"] / cost, "%.2f")
+        line("cost", lambda mine: mine["cpu_seconds"] / mine["simulated_seconds"],
+             lambda peer: peer["cpu_seconds_per_simulated_second"], "%.2f", less_is_better=True)
 
 
 main()
