@@ -170,7 +170,7 @@ constexpr Words english{
         "500 rows of a long one",
     .help_frames = "also write all particles to frames/NNNN.csv at this interval [s]",
     .help_picture = "also write a picture here, .png, .svg or .pdf",
-    .help_list = "print scenes, parameters or integrators, and end",
+    .help_list = "print scenes, parameters, integrators or kernels, and end",
     .help_json = "print run.json (or the list) for a program to read",
     .help_quiet = "print nothing but errors",
     .help_paused = "open the window at rest",

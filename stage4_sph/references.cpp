@@ -36,7 +36,7 @@ Reference dam_break_experiment(const Measure& front, double a, double gravity) {
 
 Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height) {
   const double surface = exact.compressed(height);
-  return {.name = "hydrostatic",
+  return {.name = "hydrostatic pressure",
           .measure = "L2(p - p_exact)/L2(p_exact)",
           .unit = "",
           .source = "balance of weight and pressure of a liquid with the Cole equation",

@@ -103,6 +103,19 @@ std::string name_listing(const std::vector<std::string>& names, bool as_array) {
   return text;
 }
 
+/// The kernels that scenes of the stage can have; none where nothing is smoothed.
+std::vector<std::string> kernels_of(const Stage& stage) {
+  std::vector<std::string> names;
+  for (const auto& scene : stage.scenes) {
+    const Simulation simulation(scene);
+    const auto* kernel = simulation.parameters().find("kernel");
+    if (kernel == nullptr) continue;
+    for (const auto& name : kernel->choices)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 /// A run's setting beside the parameters, in the same three columns.
 struct Line {
   std::string name, unit;
@@ -128,7 +141,7 @@ std::string text_of(const Json& value) {
 }  // namespace
 
 std::string listing(const Stage& stage, const std::string& kind, const Options& options) {
-  static const std::vector<std::string> kinds{"scenes", "parameters", "integrators"};
+  std::vector<std::string> kinds{"scenes", "parameters", "integrators"};
   if (kind == "integrators") return name_listing(integrator_names(), options.json);
   std::vector<std::string> names;
   std::vector<const Scene*> scenes;
@@ -138,6 +151,10 @@ std::string listing(const Stage& stage, const std::string& kind, const Options& 
   }
   if (kind == "scenes") return name_listing(names, options.json);
   if (kind == "parameters") return parameter_listing(scenes, options.json);
+  if (const auto kernels = kernels_of(stage); !kernels.empty()) {
+    if (kind == "kernels") return name_listing(kernels, options.json);
+    kinds.emplace_back("kernels");
+  }
   throw BadInput(unknown_name("list", kind, kinds));
 }
 

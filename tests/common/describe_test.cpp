@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "common/runner/history.hpp"
+#include "common/runner/listing.hpp"
 #include "common/runner/units.hpp"
+#include "common/simulation/errors.hpp"
 #include "stage3_grid/scenes.hpp"
 #include "stage4_sph/scenes.hpp"
 #include "tests/catch.hpp"
@@ -99,6 +101,13 @@ TEST_CASE("energies of a liquid are per metre of depth, those of discs are not",
   CHECK(energy_unit(discs) == "kg px^2/s^2");
   CHECK(momentum_unit(discs) == "kg px/s");
   CHECK(plots_of(discs)[0].y_label == "E [kg px²/s²]");
+}
+
+TEST_CASE("a stage lists the kernels it has, and only then knows such a list", "[describe]") {
+  CHECK(listing(stage4::stage(), "kernels", {}) == "cubic_spline\nwendland_c2\n");
+  CHECK_THROWS_WITH(listing(stage4::stage(), "kernel", {}), ContainsSubstring("did you mean kernels?"));
+  CHECK_THROWS_WITH(listing(stage3::stage(), "kernels", {}),
+                    ContainsSubstring("scenes, parameters, integrators"));
 }
 
 TEST_CASE("a long measure of error stands in the key of its plot, where it has room", "[describe]") {
