@@ -47,7 +47,7 @@ Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) 
   Plot plot;
   plot.title = say(words().plot_error, fmt::arg("reference", reference.name));
   plot.x_label = "t [s]";
-  if (!reference.unit.empty()) plot.y_label = "[" + printed(reference.unit) + "]";
+  if (!reference.unit.empty()) plot.y_label = fmt::format("[{}]", printed(reference.unit));
   plot.curves.push_back(curve(samples, reference.measure, 1, [](const Sample& s) { return s.error; }));
   plot.log_y = true;
   return plot;
