@@ -15,8 +15,8 @@ namespace {
 
 /// dx^2 sum W on the lattice.
 double lattice_sum(const Parameters& p, double h, double spacing) {
-  return p.value("kernel") == 0 ? lattice_sums(CubicSpline(h), spacing).value
-                                : lattice_sums(WendlandC2(h), spacing).value;
+  return p.find("kernel")->text() == CubicSpline::name ? lattice_sums(CubicSpline(h), spacing).value
+                                                       : lattice_sums(WendlandC2(h), spacing).value;
 }
 
 /// So many particles fit in no memory, and would be long in the making.
@@ -29,11 +29,11 @@ void require_room(double spacing, double across, double up) {
 
 }  // namespace
 
-Fluid liquid(Parameters& p, double fastest) {
+Fluid liquid(Parameters& p, double fastest, const Choices& choices) {
   p.choice(formulation);
   const double spacing = p.number(particle_spacing), h = spacing * p.number(h_over_dx);
-  p.choice(kernel_choice);
-  const bool sums = p.choice(density_form) == "summation";
+  p.choice(choices.kernel);
+  const bool sums = p.choice(choices.density) == "summation";
   const double reference = p.number(reference_density);
   auto c = sound_speed;
   c.value = 10 * fastest;

@@ -4,13 +4,19 @@
 #include "common/references/hydrostatic.hpp"
 #include "common/simulation/fluid_arrangement.hpp"
 #include "common/simulation/scene.hpp"
+#include "stage4_sph/parameters.hpp"
 
 namespace clapotis::stage4 {
+
+/// What a stage offers of kernels and forms of the density.
+struct Choices {
+  Parameter kernel = kernel_choice, density = density_form;
+};
 
 /// States the parameters of a liquid of the consistent formulation: spacing, h_over_dx, kernel, density,
 /// reference_density, sound_speed (10 times `fastest` unless given), gamma, tension, and what follows from
 /// them. Where the density is a sum, the particle's mass is such that the lattice at rest sums up to rho_0.
-Fluid liquid(Parameters& p, double fastest);
+Fluid liquid(Parameters& p, double fastest, const Choices& choices = {});
 
 /// A tank of tank_width x tank_height, its walls of particles (walls = dummy) or planes (walls = reflect).
 struct Tank {

@@ -15,7 +15,9 @@ struct AirDrag {
     return {p.number({.name = "drag", .symbol = "beta", .unit = "kg/s", .value = 0, .range = not_negative})};
   }
   Vector body(const auto& p, Index i, double /*t*/) const { return (-beta / p.mass(i)) * p.velocity(i); }
-  double dissipation(const auto& p, Index i) const { return beta * dot(p.velocity(i), p.velocity(i)); }
+  double dissipation(const auto& p, Index i, double /*t*/) const {
+    return beta * dot(p.velocity(i), p.velocity(i));
+  }
   [[nodiscard]] StepLimit limit(const Particles& particles) const {
     return {.name = "drag", .formula = "2 m/beta", .limit = 2 * particles.least_mass() / beta, .share = 0.25};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/particles/period.hpp"
 #include "common/simulation/fluid_columns.hpp"
 
 namespace clapotis {
@@ -11,17 +12,27 @@ namespace clapotis {
 ///
 /// not below 0 where the fluid bears no tension. Their density stays rho_0, so that a wall remembers nothing:
 /// by Adami it follows from p_w, which changes it by the compression, 0.25 % at the bottom of a tank. Where
-/// nothing is slipping along them, they carry the velocity -sum_f v_f W / sum_f W.
+/// nothing is slipping along them, they carry the velocity 2 v_w - sum_f v_f W / sum_f W, v_w their own: a
+/// wall may slide along itself, its particles standing where they are.
 struct DummyWalls {
-  Vectors places;  ///< of the particles [L]
+  Vectors places;  ///< of the particles, images included [L]
   FluidColumns columns;
   CellGrid grid;
 
   DummyWalls() = default;
-  /// `support` is the kernel's [L].
-  DummyWalls(Vectors particles, const Fluid& fluid, double support);
+  /// `support` is the kernel's [L]. Where the plane is periodic, those near an edge appear beyond the other
+  /// one too.
+  DummyWalls(const Vectors& particles, const Fluid& fluid, double support, const Period& period = {});
 
   [[nodiscard]] Index size() const { return places.rows(); }
+  /// Lets slide, at `speed` along x [L/s], those above y.
+  void slide_above(double y, double speed);
+  [[nodiscard]] auto own_velocity(auto at) const {
+    return Vec{load(own_x_.data(), at), load(own_y_.data(), at)};
+  }
+  [[nodiscard]] bool is_image(Index slot) const { return sources_[static_cast<std::size_t>(slot)] != slot; }
+  /// Gives the images the pressure and the velocity of what they are images of.
+  void copy_to_images();
   /// Whether a particle of the wall may be within the support of r: quick, and right for almost all that are
   /// far from walls.
   [[nodiscard]] bool near(const Vector& r) const {
@@ -33,6 +44,11 @@ struct DummyWalls {
   [[nodiscard]] std::size_t bytes() const { return columns.bytes() + grid.bytes() + reached_.size(); }
 
  private:
+  void mark_reached(double support);
+
+  Column own_x_, own_y_;        ///< v_w [L/s], as long as `columns`
+  std::vector<Index> sources_;  ///< the slot that each is an image of, or its own
+  bool has_images_ = false;
   Vector corner_{0, 0};
   double inverse_side_ = 0, columns_ = 0, lines_ = 0;  ///< of square cells of one support
   std::vector<std::uint8_t> reached_;                  ///< whether a cell is within reach of the wall

@@ -13,9 +13,9 @@ struct Gravity {
     return {
         p.number({.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = not_negative})};
   }
-  Vector body(const auto& /*p*/, Index /*i*/, double /*t*/) const { return {0, -g}; }
+  Vector field(const Vector& /*r*/, double /*t*/) const { return {0, -g}; }
   double potential(const auto& p, Index i) const { return p.mass(i) * g * p.position(i).y; }
 };
-static_assert(Law<Gravity> && ActsOnBody<Gravity> && StoresPotential<Gravity>);
+static_assert(Law<Gravity> && ActsAsField<Gravity> && StoresPotential<Gravity>);
 
 }  // namespace clapotis

@@ -14,13 +14,15 @@
 /// one or more of these hooks. A hook that it lacks generates no code.
 ///
 /// - `Vector body(p, i, t)`: acceleration of particle i at time t [L/s^2]
+/// - `Vector field(r, t)`: the same for whatever is at r: a liquid at rest in it presses on its walls [L/s^2]
 /// - `Vec<Pack> pair(p, i, j, ij)`: acceleration of particle i by the particles j, zero at and beyond the
 ///   support [L/s^2]
 /// - `double support()`: with `pair`, the distance beyond which nothing acts [L]
 /// - `void settle(system, dt)`: after the step; the only place that may move a particle
 /// - `double potential(p, i)`: energy stored by `body` [energy]
 /// - `Pack pair_potential(p, i, j, ij)`: energy stored between i and each j [energy]
-/// - `double dissipation(p, i)`: power that `body` takes out of the motion [energy/s]
+/// - `double dissipation(p, i, t)`: power that `body` or `field` takes out of the motion; negative if it
+///   drives [energy/s]
 /// - `StepLimit limit(particles)`: the largest stable time step
 /// - `stress` and `friction`: between the particles of a fluid, see fluid.hpp
 ///
@@ -98,6 +100,10 @@ concept ActsOnBody = requires(const L& law, const AnyView& p, Index i, double t)
   Vector{law.body(p, i, t)};
 };
 template <class L>
+concept ActsAsField = requires(const L& law, const Vector& r, double t) {
+  Vector{law.field(r, t)};
+};
+template <class L>
 concept ActsOnPair = requires(const L& law, const AnyView& p, Index i, Run j, const Encounter& ij) {
   Vec<Pack>{law.pair(p, i, j, ij)};
   double{law.support()};
@@ -115,8 +121,8 @@ concept StoresPairPotential = requires(const L& law, const AnyView& p, Index i, 
   Pack{law.pair_potential(p, i, j, ij)};
 };
 template <class L>
-concept Dissipates = requires(const L& law, const AnyView& p, Index i) {
-  double{law.dissipation(p, i)};
+concept Dissipates = requires(const L& law, const AnyView& p, Index i, double t) {
+  double{law.dissipation(p, i, t)};
 };
 template <class L>
 concept LimitsStep = requires(const L& law, const Particles& particles) {
@@ -137,6 +143,6 @@ concept Law = requires(Parameters& p) {
   { L::from(p) } -> std::same_as<L>;
   std::string_view{L::name};
 }
-&&(ActsOnBody<L> || ActsOnPair<L> || FluidLaw<L> || Settles<L> || LimitsStep<L>);
+&&(ActsOnBody<L> || ActsAsField<L> || ActsOnPair<L> || FluidLaw<L> || Settles<L> || LimitsStep<L>);
 
 }  // namespace clapotis

@@ -8,9 +8,9 @@
 namespace clapotis {
 
 /// Sound travels at most CFL smoothing lengths in a step: dt <= CFL h/(c + |v|), |v| the greatest of all
-/// speeds. Verlet and symplectic Euler are stable up to 1.7 of it (tests/stage4/stability_test.cpp
-/// measures 1.74 and more); explicit Euler and Runge-Kutta 2 have limits of their own, which sink as the run
-/// gets longer.
+/// speeds. Verlet and symplectic Euler are stable up to 1.55 of it (tests/stage4/stability_limits_test.cpp
+/// measures 1.57 with diffusion of density, 1.7 and more without); explicit Euler and Runge-Kutta 2 have
+/// limits of their own, which sink as the run gets longer.
 struct AcousticStep {
   static constexpr std::string_view name = "acoustic_step";
   static constexpr bool follows_state = true;
@@ -21,9 +21,9 @@ struct AcousticStep {
     return {fluid.h, fluid.state.sound_speed, p.number(cfl_parameter)};
   }
   [[nodiscard]] StepLimit limit(const Particles& particles) const {
-    constexpr double stable = 1.7;
+    constexpr double stable = 1.55;
     return {.name = "acoustic",
-            .formula = "1.7 h/(c + |v|)",
+            .formula = "1.55 h/(c + |v|)",
             .limit = stable * h / (sound_speed + greatest_norm(particles.velocity, particles.threads)),
             .share = cfl / stable};
   }

@@ -6,31 +6,18 @@
 
 namespace clapotis {
 
-void Period::wrap(Vectors& position) const {
-  for (const int axis : {0, 1}) {
-    const double first = axis == 0 ? corner.x : corner.y, side = axis == 0 ? length.x : length.y;
-    if (side > 0) position.col(axis) -= ((position.col(axis) - first) / side).floor() * side;
-  }
-}
-
 /// Along x first, then along y of everything there is by then: corners get theirs.
 void FluidArrangement::add_images(int axis) {
-  const double first = axis == 0 ? period_.corner.x : period_.corner.y;
-  const double side = axis == 0 ? period_.length.x : period_.length.y;
-  if (side == 0) return;
   const Index before = slots();
   std::vector<Vector> places;
   for (Index k = 0; k < before; ++k) {
-    const bool image = k >= count_;
     const Vector r = row(places_, k);
-    const double at = axis == 0 ? r.x : r.y;
-    const auto source = image ? images_[static_cast<std::size_t>(k - count_)] : static_cast<std::int32_t>(k);
-    const auto add = [&](double shift) {
-      places.push_back(axis == 0 ? Vector{r.x + shift, r.y} : Vector{r.x, r.y + shift});
+    const auto source =
+        k >= count_ ? images_[static_cast<std::size_t>(k - count_)] : static_cast<std::int32_t>(k);
+    for (const Vector& shift : period_.shifts(r, axis, support_)) {
+      places.push_back(r + shift);
       images_.push_back(source);
-    };
-    if (at < first + support_) add(side);
-    if (at >= first + side - support_) add(-side);
+    }
   }
   Vectors all(slots(), 2);
   all.topRows(before) = places_;

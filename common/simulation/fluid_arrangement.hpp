@@ -3,19 +3,11 @@
 #include <cmath>
 
 #include "common/particles/parallel.hpp"
+#include "common/particles/period.hpp"
 #include "common/simulation/fluid_columns.hpp"
 #include "common/simulation/model.hpp"
 
 namespace clapotis {
-
-/// A plane that repeats itself along x, y or both; 0 where it does not.
-struct Period {
-  Vector corner{0, 0};  ///< lower left of the cell that repeats [L]
-  Vector length{0, 0};  ///< [L]
-
-  /// Brings back what has left the cell.
-  void wrap(Vectors& position) const;
-};
 
 /// The particles of a fluid in the order of a grid of cells. Where the plane is periodic, those near an edge
 /// appear a second time, as images beyond the opposite edge, which are seen but do not see.

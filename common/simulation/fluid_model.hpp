@@ -54,11 +54,11 @@ class FluidModel final : public Model {
     }
     {
       const PhaseTimer timer(timed, seconds.walls);
-      wet_walls(s.particles.threads);
+      wet_walls(s.particles.threads, t);
     }
     const PhaseTimer timer(timed, seconds.forces);
     met_at_one_point_ = 0;
-    s.dissipation = accelerate<Laws...>(s.particles, t, s.acceleration) + laws_.dissipation(s.particles);
+    s.dissipation = accelerate<Laws...>(s.particles, t, s.acceleration) + laws_.dissipation(s.particles, t);
     coincident += met_at_one_point_ / 2;
   }
 
@@ -205,7 +205,7 @@ class FluidModel final : public Model {
     });
     around_walls(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
       const Pack volume = load(walls_.columns.volume.data(), at);
-      compression += volume * kernel_.slope_over_r(r, inverse) * dot(velocity, d);
+      compression += volume * kernel_.slope_over_r(r, inverse) * dot(velocity - walls_.own_velocity(at), d);
     });
     const double spread = diffusion_ * sum(diffusion);
     rate(sorted_.id(slot)) = i.density * sum(compression) + spread;
@@ -213,12 +213,15 @@ class FluidModel final : public Model {
   }
 
   /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.
-  void wet_walls(int threads) {
-    for_each(walls_.size(), threads, [&](Index slot) { wet_wall(slot); });
+  void wet_walls(int threads, double t) {
+    for_each(walls_.size(), threads, [&](Index slot) { wet_wall(slot, t); });
+    walls_.copy_to_images();
   }
-  [[gnu::flatten]] void wet_wall(Index slot) {
+  [[gnu::flatten]] void wet_wall(Index slot, double t) {
     constexpr bool velocities = (RubsWalls<Laws> || ...);
-    const Vec<Pack> g{Pack(gravity_.x), Pack(gravity_.y)};
+    if (walls_.is_image(slot)) return;
+    const Vector at_wall = laws_.field(walls_.columns.position(slot), t);
+    const Vec<Pack> g{Pack(at_wall.x), Pack(at_wall.y)};
     Pack weights(0.0), pressure(0.0);
     Vec<Pack> velocity{Pack(0.0), Pack(0.0)};
     around(walls_.columns.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack&) {
@@ -232,8 +235,9 @@ class FluidModel final : public Model {
     const double total = sum(weights), p = total > 0 ? sum(pressure) / total : 0;
     c.pressure(slot) = fluid_.state.tension || !(p < 0) ? p : 0;
     if constexpr (velocities) {
-      c.vx(slot) = total > 0 ? -sum(velocity.x) / total : 0;
-      c.vy(slot) = total > 0 ? -sum(velocity.y) / total : 0;
+      const Vector own = walls_.own_velocity(slot);
+      c.vx(slot) = total > 0 ? 2 * own.x - sum(velocity.x) / total : own.x;
+      c.vy(slot) = total > 0 ? 2 * own.y - sum(velocity.y) / total : own.y;
     }
   }
 
@@ -299,8 +303,8 @@ class FluidModel final : public Model {
         const Meeting ij{d, inverse, dot(v, d)};
         add(push, weight, (wall_stress(laws_.template get<Some>(), i, j, ij) + ...), d);
         add(push, weight, (wall_friction(laws_.template get<Some>(), i, j, ij) + ...), v);
-        squeeze +=
-            weight * dot(velocity, d) * (form_ == DensityForm::summation ? j.density / i.density : Pack(1.0));
+        squeeze += weight * dot(velocity - walls_.own_velocity(at), d) *
+                   (form_ == DensityForm::summation ? j.density / i.density : Pack(1.0));
       });
       const Vector by_walls{sum(push.x), sum(push.y)};
       total += by_walls;

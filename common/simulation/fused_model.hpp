@@ -34,7 +34,7 @@ class FusedModel final : public Model {
 
   void evaluate(System& s, double t) override {
     accelerate<Laws...>(s.particles, t, s.acceleration);
-    s.dissipation = laws_.dissipation(s.particles);
+    s.dissipation = laws_.dissipation(s.particles, t);
   }
   void settle(System& s, double dt) override { laws_.settle(s, dt); }
   void refresh(Parameters& parameters) override { laws_.refresh(parameters); }

@@ -39,12 +39,21 @@ class LawSet {
     Vector total{0, 0};
     const auto add = [&](const auto& law) {
       if constexpr (requires { law.body(p, i, t); }) total += law.body(p, i, t);
+      if constexpr (requires { law.field(p.position(i), t); }) total += law.field(p.position(i), t);
     };
     (add(get<Some>()), ...);
     return total;
   }
+  /// Acceleration of whatever is at r by the laws that are fields.
+  [[nodiscard]] Vector field(const Vector& r, double t) const {
+    Vector total{0, 0};
+    each([&](const auto& law) {
+      if constexpr (requires { law.field(r, t); }) total += law.field(r, t);
+    });
+    return total;
+  }
   /// Power that the laws on one particle take out of the motion of all.
-  [[nodiscard]] double dissipation(const Particles& particles) const {
+  [[nodiscard]] double dissipation(const Particles& particles, double t) const {
     if constexpr (!(Dissipates<Laws> || ...)) {
       return 0;
     } else {
@@ -52,8 +61,8 @@ class LawSet {
       return sum_over(particles.size(), threads_for_little(particles.size(), particles.threads),
                       [&](Index i, std::size_t) {
                         return sum([&](const auto& law) {
-                          if constexpr (requires { law.dissipation(p, i); })
-                            return law.dissipation(p, i);
+                          if constexpr (requires { law.dissipation(p, i, t); })
+                            return law.dissipation(p, i, t);
                           else
                             return 0.0;
                         });

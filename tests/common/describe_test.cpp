@@ -105,9 +105,10 @@ TEST_CASE("energies of a liquid are per metre of depth, those of discs are not",
 
 TEST_CASE("a stage lists the kernels it has, and only then knows such a list", "[describe]") {
   CHECK(listing(stage4::stage(), "kernels", {}) == "cubic_spline\nwendland_c2\n");
-  CHECK_THROWS_WITH(listing(stage4::stage(), "kernel", {}), ContainsSubstring("did you mean kernels?"));
+  CHECK_THROWS_WITH(listing(stage4::stage(), "kernel", {}),
+                    Catch::Matchers::ContainsSubstring("did you mean kernels?"));
   CHECK_THROWS_WITH(listing(stage3::stage(), "kernels", {}),
-                    ContainsSubstring("scenes, parameters, integrators"));
+                    Catch::Matchers::ContainsSubstring("scenes, parameters, integrators"));
 }
 
 TEST_CASE("a long measure of error stands in the key of its plot, where it has room", "[describe]") {

@@ -28,7 +28,7 @@ struct Wind {
     return {p.number({.name = "wind", .symbol = "w", .unit = "L/s", .value = 3}), AirDrag::from(p).beta};
   }
   Vector body(const auto& p, Index i, double /*t*/) const { return {beta * w / p.mass(i), 0}; }
-  double dissipation(const auto& p, Index i) const { return -beta * w * p.velocity(i).x; }  // it gives
+  double dissipation(const auto& p, Index i, double /*t*/) const { return -beta * w * p.velocity(i).x; }  // it gives
 };
 static_assert(Law<Wind> && ActsOnBody<Wind> && Dissipates<Wind>);
 

@@ -6,23 +6,15 @@
 #include "common/simulation/simulation.hpp"
 #include "stage4_sph/scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/stage4/state.hpp"
 
 using namespace clapotis;
+using namespace clapotis::tests;
 
 namespace {
 
 Simulation scene(std::string_view name, const Overrides& overrides = {}) {
   return Simulation(stage4::stage().scene(name), overrides);
-}
-
-void run_until(Simulation& simulation, double t) {
-  while (simulation.time() < t) simulation.step(t);
-}
-
-double measure(const Simulation& simulation, std::string_view name) {
-  for (const auto& m : simulation.setup().measures)
-    if (m.name == name) return m.value(simulation.system());
-  throw std::invalid_argument("the scene has no such measure");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Scene scene(const std::string& name) { return stage4::stage().scene(name); }
 Simulation dam_break(double times, const std::string& density, const std::string& integrator) {
   const double h = 1.5 * 0.1, c = 10 * std::sqrt(2 * 9.81 * 2);
   return Simulation(scene("dam_break"),
-                    typed({{"spacing", 0.1}, {"density", density}, {"dt", times * 1.7 * h / c}}), integrator);
+                    typed({{"spacing", 0.1}, {"density", density}, {"dt", times * 1.55 * h / c}}), integrator);
 }
 
 void refused(const std::string& name, const Values& values, const std::vector<std::string>& parts) {
@@ -53,14 +53,14 @@ TEST_CASE("a step 2 or 5 times the acoustic limit is announced, and found out wi
   CAPTURE(density, times, integrator);
   REQUIRE(sim.warnings().size() == 1);
   CHECK_THAT(sim.warnings().front(), ContainsSubstring(" is " + std::string(times == 2 ? "2" : "5") +
-                                                       " times the acoustic limit 1.7 h/(c + |v|)"));
+                                                       " times the acoustic limit 1.55 h/(c + |v|)"));
   const auto diverged = run_until_divergence(sim, times == 2 ? 40 : 10);
   CHECK(diverged.time == Approx(static_cast<double>(diverged.step) * sim.dt()));
   REQUIRE(diverged.particle >= 0);
   REQUIRE(diverged.particle < sim.particles().size());
   CHECK_THAT(diverged.what(), ContainsSubstring("diverged at step " + std::to_string(diverged.step)) &&
                                   ContainsSubstring("particle " + std::to_string(diverged.particle)) &&
-                                  ContainsSubstring("times the acoustic limit 1.7 h/(c + |v|)"));
+                                  ContainsSubstring("times the acoustic limit 1.55 h/(c + |v|)"));
   CHECK(sim.steps() == diverged.step - 1);
   CHECK(all_finite(sim.particles()));
   run_steps(twin, diverged.step - 1);

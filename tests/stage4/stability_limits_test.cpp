@@ -134,3 +134,28 @@ TEST_CASE("a viscous lattice is stable to the step that its fastest wave allows,
     CHECK(automatic.binding_limit().limit < 1 / (nu * damping));
   }
 }
+
+TEST_CASE("the diffusion of density shortens the step that sound allows", "[stage4]") {
+  const auto grows_at = [](double cfl, std::string_view delta) {
+    Simulation lattice(stage4::stage().scene("acoustic"), {{"kernel", {"wendland_c2"}},
+                                                           {"h_over_dx", {"1.5"}},
+                                                           {"density", {"continuity"}},
+                                                           {"alpha", {"0"}},
+                                                           {"delta", {std::string(delta)}},
+                                                           {"dt", {to_text(1.5 * cfl)}}});
+    auto& s = lattice.system();
+    for (Index i = 0; i < s.density.size(); ++i)
+      s.density(i) *= 1 + 1e-6 * std::cos(static_cast<double>(i * i));
+    s.current = false;
+    const double first = most_speed(lattice, 20);
+    return most_speed(lattice, 1200) > 1e3 * first;
+  };
+  for (const auto& [delta, limit] : {std::pair{"0", 1.79}, std::pair{"0.1", 1.57}}) {
+    CAPTURE(delta);
+    CHECK_FALSE(grows_at(0.97 * limit, delta));
+    CHECK(grows_at(1.03 * limit, delta));
+  }
+  const Simulation water(stage4::stage().scene("still_water"), {});
+  REQUIRE(water.binding_limit().name == "acoustic");
+  CHECK(1 / water.binding_limit().share < 1.57);  // in units of h/(c + |v|), CFL = 1
+}

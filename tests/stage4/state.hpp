@@ -40,4 +40,15 @@ inline Diverged run_until_divergence(Simulation& simulation, long most) {
   throw std::runtime_error("it did not diverge within " + std::to_string(most) + " steps");
 }
 
+inline void run_until(Simulation& simulation, double t) {
+  while (simulation.time() < t) simulation.step(t);
+}
+
+/// What the scene measures under that name.
+inline double measure(const Simulation& simulation, std::string_view name) {
+  for (const auto& m : simulation.setup().measures)
+    if (m.name == name) return m.value(simulation.system());
+  throw std::invalid_argument("the scene has no such measure");
+}
+
 }  // namespace clapotis::tests

@@ -102,7 +102,7 @@ TEST_CASE("the time step is amber above 80 % of a limit of stability and red bey
   };
   CHECK(light("1").colour == calm);
   CHECK(light("1.5").colour == amber);
-  CHECK(light("1.5").share == Approx(1.5 / 1.7));
+  CHECK(light("1.5").share == Approx(1.5 / 1.55));
   CHECK(light("3").colour == red);
   CHECK(light("3").limit.stability);
 }
