@@ -5,11 +5,10 @@
 namespace clapotis {
 namespace {
 
-bool is_fluid(const Simulation& simulation) { return simulation.setup().fluid.has_value(); }
 bool in_metres(const Simulation& simulation) { return simulation.scene().length_unit == "m"; }
 
 std::string of(const Simulation& simulation, std::string_view solid, std::string_view fluid) {
-  return with_length(is_fluid(simulation) ? fluid : solid, simulation.scene().length_unit);
+  return with_length(simulation.setup().fluid ? fluid : solid, simulation.scene().length_unit);
 }
 
 }  // namespace
