@@ -88,7 +88,7 @@ expect 'ctest has the last word, and its exit code passes through' 8 'ctest --pr
 expect 'compare passes its arguments on' 0 '^compare A B --headless$' "$lab" compare A B --headless
 expect 'a misspelt peer is answered with the nearest one' 2 'no peer "pyshp".*nearest is "pysph"' \
   "$lab" bench --peer pyshp
-expect 'a peer has the last word, and its figures a place' 5 'peer --json runs/peers/pysph.json --dx 0.02$' \
+expect 'a peer has the last word, and its figures a place' 5 $'^turn 1 of 3\npeer --json runs/peers/pysph.json --dx 0.02$' \
   "$lab" bench --peer pysph --dx 0.02
 expect 'it configured once' 0 '^1$' grep -c configured "$box/configured"
 : > "$box/broken"

@@ -35,8 +35,9 @@ TEST_CASE("each scheme keeps the energy of a dam break as well as its order says
   // In steps of h/c sound turns by w dt = 1 or so where it is shortest, which has next to none of the energy.
   // Explicit Euler lets just that grow.
   CHECK(coarse < (scheme.name == "explicit_euler" ? 0.1 : scheme.order == 1 ? 1e-3 : 2e-4));
-  // Pressures that end at 0 and friction that only brakes have kinks, at which every scheme is of order 1.
-  CHECK(fine < coarse * std::pow(8, -0.9));
+  // Pressures that end at 0 and friction that only brakes have kinks, at which every scheme is of order 1;
+  // they are few, so that the better schemes stay above it.
+  CHECK(fine < coarse * std::pow(8, scheme.order == 1 ? -0.9 : -1.1));
 }
 
 TEST_CASE("without kinks and friction the energy of a liquid is kept with the order of the scheme",
