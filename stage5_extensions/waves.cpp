@@ -28,9 +28,9 @@ struct Water {
   Setup setup;
 };
 Water water_at_rest(Parameters& p) {
-  const double depth = p.number(stage4::depth),
-               g = p.number(
-                   {.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = positive});
+  auto weight = Gravity::parameter();
+  weight.range = positive;  // without it there are no waves
+  const double depth = p.number(stage4::depth), g = p.number(weight);
   const Fluid fluid = stage4::liquid(p, std::sqrt(2 * g * depth), wendland_continuity);
   auto tank = stage4::tank(p, fluid);
   stage4::require_inside_tank(p, tank, {stage4::depth});

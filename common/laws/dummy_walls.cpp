@@ -5,64 +5,49 @@
 
 namespace clapotis {
 
-namespace {
-
-struct Placed {
-  Vector at;
-  Index source;  ///< of the particles given
-};
-
-std::vector<Placed> with_images(const Vectors& particles, double support, const Period& period) {
-  std::vector<Placed> all;
-  for (Index i = 0; i < particles.rows(); ++i) all.push_back({row(particles, i), i});
-  for (const int axis : {0, 1})  // along x first, then along y of everything there is by then
-    for (std::size_t k = 0, before = all.size(); k < before; ++k)
-      for (const Vector& shift : period.shifts(all[k].at, axis, support))
-        all.push_back({all[k].at + shift, all[k].source});
-  return all;
-}
-
-}  // namespace
-
 DummyWalls::DummyWalls(const Vectors& particles, const Fluid& fluid, double support, const Period& period) {
-  const auto all = with_images(particles, support, period);
-  const auto n = static_cast<Index>(all.size());
+  const auto images = period.images(particles, support);
+  const Index given = particles.rows(), n = given + static_cast<Index>(images.size());
   Vectors unsorted(n, 2);
-  for (Index k = 0; k < n; ++k)
-    unsorted.row(k) << all[static_cast<std::size_t>(k)].at.x, all[static_cast<std::size_t>(k)].at.y;
+  unsorted.topRows(given) = particles;
+  for (Index k = given; k < n; ++k) {
+    const Vector& at = images[static_cast<std::size_t>(k - given)].at;
+    unsorted.row(k) << at.x, at.y;
+  }
   grid.build(unsorted, support, 1);
   places.resize(n, 2);
-  std::vector<Index> slot_of(all.size());
+  std::vector<Index> slot_of(static_cast<std::size_t>(n));
   for (Index slot = 0; slot < n; ++slot) {
     places.row(slot) = unsorted.row(grid.id(slot));
     slot_of[static_cast<std::size_t>(grid.id(slot))] = slot;
   }
-  sources_.resize(all.size());
-  for (Index slot = 0; slot < n; ++slot)
-    sources_[static_cast<std::size_t>(slot)] =
-        slot_of[static_cast<std::size_t>(all[static_cast<std::size_t>(grid.id(slot))].source)];
-  has_images_ = n > particles.rows();
+  for (Index k = given; k < n; ++k)
+    images_.push_back(
+        {slot_of[static_cast<std::size_t>(k)],
+         slot_of[static_cast<std::size_t>(images[static_cast<std::size_t>(k - given)].source)]});
   columns.resize(n);
   columns.x.head(n) = places.col(0);
   columns.y.head(n) = places.col(1);
   columns.vx.head(n) = columns.vy.head(n) = columns.pressure.head(n) = 0;
   columns.density.head(n) = fluid.state.reference_density;
   columns.volume.head(n) = fluid.mass / fluid.state.reference_density;
-  own_x_ = own_y_ = Column::Zero(columns.x.size());
+  sliding_ = Column::Zero(columns.x.size());
   if (n > 0) mark_reached(support);
 }
 
 void DummyWalls::slide_above(double y, double speed) {
   for (Index slot = 0; slot < size(); ++slot)
-    if (places(slot, 1) > y) own_x_(slot) = speed;
+    if (places(slot, 1) > y) sliding_(slot) = speed;
 }
 
 void DummyWalls::copy_to_images() {
-  if (!has_images_) return;
-  for (Index slot = 0; slot < size(); ++slot) {
-    const Index source = sources_[static_cast<std::size_t>(slot)];
-    for (Column* column : {&columns.pressure, &columns.vx, &columns.vy}) (*column)(slot) = (*column)(source);
-  }
+  for (const auto& [image, source] : images_)
+    for (Column* column : {&columns.pressure, &columns.vx, &columns.vy}) (*column)(image) = (*column)(source);
+}
+
+std::size_t DummyWalls::bytes() const {
+  return columns.bytes() + grid.bytes() + reached_.size() + images_.capacity() * sizeof(Copy) +
+         static_cast<std::size_t>(sliding_.size()) * sizeof(double);
 }
 
 /// A cell is within reach when a wall particle is in it or in one of the eight around.

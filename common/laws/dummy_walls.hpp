@@ -28,9 +28,9 @@ struct DummyWalls {
   /// Lets slide, at `speed` along x [L/s], those above y.
   void slide_above(double y, double speed);
   [[nodiscard]] auto own_velocity(auto at) const {
-    return Vec{load(own_x_.data(), at), load(own_y_.data(), at)};
+    const auto along = load(sliding_.data(), at);
+    return Vec{along, decltype(along)(0.0)};
   }
-  [[nodiscard]] bool is_image(Index slot) const { return sources_[static_cast<std::size_t>(slot)] != slot; }
   /// Gives the images the pressure and the velocity of what they are images of.
   void copy_to_images();
   /// Whether a particle of the wall may be within the support of r: quick, and right for almost all that are
@@ -41,14 +41,16 @@ struct DummyWalls {
     return reached_[static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) +
                     static_cast<std::size_t>(column)] != 0;
   }
-  [[nodiscard]] std::size_t bytes() const { return columns.bytes() + grid.bytes() + reached_.size(); }
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   void mark_reached(double support);
 
-  Column own_x_, own_y_;        ///< v_w [L/s], as long as `columns`
-  std::vector<Index> sources_;  ///< the slot that each is an image of, or its own
-  bool has_images_ = false;
+  struct Copy {
+    Index image, source;  ///< slots
+  };
+  std::vector<Copy> images_;
+  Column sliding_;  ///< speed of each along x [L/s], as long as `columns`
   Vector corner_{0, 0};
   double inverse_side_ = 0, columns_ = 0, lines_ = 0;  ///< of square cells of one support
   std::vector<std::uint8_t> reached_;                  ///< whether a cell is within reach of the wall

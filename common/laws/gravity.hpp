@@ -9,10 +9,10 @@ struct Gravity {
   static constexpr std::string_view name = "gravity";
   double g;  ///< [L/s^2], >= 0
 
-  static Gravity from(Parameters& p) {
-    return {
-        p.number({.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = not_negative})};
+  static Parameter parameter() {
+    return {.name = "gravity", .symbol = "g", .unit = "L/s^2", .value = 9.81, .range = not_negative};
   }
+  static Gravity from(Parameters& p) { return {p.number(parameter())}; }
   Vector field(const Vector& /*r*/, double /*t*/) const { return {0, -g}; }
   double potential(const auto& p, Index i) const { return p.mass(i) * g * p.position(i).y; }
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "common/laws/law.hpp"
-#include "common/simulation/model.hpp"
+#include "common/laws/step_limits.hpp"
 
 namespace clapotis {
 
@@ -24,7 +24,8 @@ struct NewtonianViscosity {
     const auto fluid = Fluid::from(p);
     const double nu =
         p.number({.name = "nu", .symbol = "nu", .unit = "L^2/s", .value = 0, .range = not_negative});
-    return {nu, 8 * fluid.state.reference_density * nu, fluid.h, 1.55 * fluid.h / fluid.state.sound_speed};
+    return {nu, 8 * fluid.state.reference_density * nu, fluid.h,
+            AcousticStep::stable * fluid.h / fluid.state.sound_speed};
   }
   auto stress(const auto& /*i*/, const auto& /*j*/, const Meeting& ij) const {
     return viscosity * ij.approach * (ij.inverse_distance * ij.inverse_distance);

@@ -14,6 +14,7 @@ namespace clapotis {
 struct AcousticStep {
   static constexpr std::string_view name = "acoustic_step";
   static constexpr bool follows_state = true;
+  static constexpr double stable = 1.55;  ///< of h/(c + |v|)
   double h, sound_speed, cfl;
 
   static AcousticStep from(Parameters& p) {
@@ -21,7 +22,6 @@ struct AcousticStep {
     return {fluid.h, fluid.state.sound_speed, p.number(cfl_parameter)};
   }
   [[nodiscard]] StepLimit limit(const Particles& particles) const {
-    constexpr double stable = 1.55;
     return {.name = "acoustic",
             .formula = "1.55 h/(c + |v|)",
             .limit = stable * h / (sound_speed + greatest_norm(particles.velocity, particles.threads)),

@@ -22,7 +22,6 @@ bool Particles::finite() const {
   const auto all =
       of_blocks(size(), threads_for_little(size(), threads), [&](Index first, Index count) -> char {
         return position.middleRows(first, count).allFinite() &&
-               velocity.middleRows(first, count).allFinite() &&
                (density.size() == 0 || density.middleRows(first, count).allFinite());
       });
   return std::all_of(all.begin(), all.end(), [](char yes) { return yes != 0; });

@@ -51,7 +51,7 @@ struct Particles {
     return masses_ != none ? extra[masses_].values(i) : uniform_mass;
   }
 
-  /// Whether all positions, velocities and densities are numbers.
+  /// Whether all positions and densities are numbers; of the velocities `greatest_norm` tells.
   [[nodiscard]] bool finite() const;
   /// The smallest mass: what bounds the time step.
   [[nodiscard]] double least_mass() const;

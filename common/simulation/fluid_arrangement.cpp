@@ -6,36 +6,19 @@
 
 namespace clapotis {
 
-/// Along x first, then along y of everything there is by then: corners get theirs.
-void FluidArrangement::add_images(int axis) {
-  const Index before = slots();
-  std::vector<Vector> places;
-  for (Index k = 0; k < before; ++k) {
-    const Vector r = row(places_, k);
-    const auto source =
-        k >= count_ ? images_[static_cast<std::size_t>(k - count_)] : static_cast<std::int32_t>(k);
-    for (const Vector& shift : period_.shifts(r, axis, support_)) {
-      places.push_back(r + shift);
-      images_.push_back(source);
-    }
-  }
-  Vectors all(slots(), 2);
-  all.topRows(before) = places_;
-  for (Index k = before; k < slots(); ++k) {
-    const Vector& r = places[static_cast<std::size_t>(k - before)];
-    all.row(k) << r.x, r.y;
-  }
-  places_ = std::move(all);
-}
-
 void FluidArrangement::sort(const Particles& particles) {
   count_ = particles.size();
   images_.clear();
   if (periodic()) {  // an integrator may have carried some beyond the edge, where they would see no images
-    places_ = particles.position;
-    period_.wrap(places_);
-    add_images(0);
-    add_images(1);
+    Vectors wrapped = particles.position;
+    period_.wrap(wrapped);
+    const auto images = period_.images(wrapped, support_);
+    places_.resize(count_ + static_cast<Index>(images.size()), 2);
+    places_.topRows(count_) = wrapped;
+    for (const auto& [at, source] : images) {
+      places_.row(slots()) << at.x, at.y;
+      images_.push_back(static_cast<std::int32_t>(source));
+    }
   }
   grid.build(periodic() ? places_ : particles.position, support_, particles.threads);
   columns.resize(slots());

@@ -55,7 +55,6 @@ class FluidArrangement {
   static constexpr double far_away = 1e100;  ///< and yet (v d)^2 is a number [L]
 
   void sort(const Particles& particles);
-  void add_images(int axis);
   [[nodiscard]] bool periodic() const { return period_.length.x > 0 || period_.length.y > 0; }
 
   double support_;

@@ -219,7 +219,6 @@ class FluidModel final : public Model {
   }
   [[gnu::flatten]] void wet_wall(Index slot, double t) {
     constexpr bool velocities = (RubsWalls<Laws> || ...);
-    if (walls_.is_image(slot)) return;
     const Vector at_wall = laws_.field(walls_.columns.position(slot), t);
     const Vec<Pack> g{Pack(at_wall.x), Pack(at_wall.y)};
     Pack weights(0.0), pressure(0.0);
