@@ -8,9 +8,9 @@
 namespace clapotis {
 
 double ChannelStart::velocity(double y, double t) const {
-  require(depth > 0 && std::isfinite(depth), "ChannelStart", "depth [m]", depth, "finite and > 0");
-  require(viscosity > 0 && std::isfinite(viscosity), "ChannelStart", "viscosity [m^2/s]", viscosity,
-          "finite and > 0");
+  const Demand demand{"ChannelStart"};
+  demand.positive(depth, "depth [m]");
+  demand.positive(viscosity, "viscosity [m^2/s]");
   if (!(t > 0)) return 0;
   double u = force * y * (depth - y) / (2 * viscosity) + plate_speed * y / depth;
   double sign = -1, left = 1;

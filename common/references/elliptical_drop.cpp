@@ -13,12 +13,10 @@ namespace clapotis {
 namespace {
 
 void check(const EllipticalDrop& d) {
-  const auto positive = [](double value, const char* name) {
-    require(value > 0 && std::isfinite(value), "EllipticalDrop", name, value, "finite and > 0");
-  };
-  positive(d.radius, "radius [m]");
-  positive(d.strain_rate, "strain_rate [1/s]");
-  positive(d.density, "density [kg/m^3]");
+  const Demand demand{"EllipticalDrop"};
+  demand.positive(d.radius, "radius [m]");
+  demand.positive(d.strain_rate, "strain_rate [1/s]");
+  demand.positive(d.density, "density [kg/m^3]");
 }
 
 /// s = sqrt(cosh 2 theta), which cosh itself would let overflow early.

@@ -10,15 +10,12 @@ namespace clapotis {
 namespace {
 
 void check(const HydrostaticColumn& w, double depth) {
-  const auto demand = [](bool holds, const char* name, double value, const char* range) {
-    require(holds, "HydrostaticColumn", name, value, range);
-  };
-  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  demand(positive(w.surface_density), "surface_density [kg/m^3]", w.surface_density, "finite and > 0");
-  demand(positive(w.sound_speed), "sound_speed [m/s]", w.sound_speed, "finite and > 0");
-  demand(w.gamma >= 1 && std::isfinite(w.gamma), "gamma", w.gamma, "finite and >= 1");
-  demand(w.gravity >= 0 && std::isfinite(w.gravity), "gravity [m/s^2]", w.gravity, "finite and >= 0");
-  demand(std::isfinite(depth), "depth [m]", depth, "finite");
+  const Demand demand{"HydrostaticColumn"};
+  demand.positive(w.surface_density, "surface_density [kg/m^3]");
+  demand.positive(w.sound_speed, "sound_speed [m/s]");
+  require(w.gamma >= 1 && std::isfinite(w.gamma), demand.where, "gamma", w.gamma, "finite and >= 1");
+  demand.not_negative(w.gravity, "gravity [m/s^2]");
+  demand.finite(depth, "depth [m]");
 }
 
 /// ln(rho/rho0). From it both functions follow by exp, which is exact to round-off where a power would not

@@ -13,15 +13,13 @@ namespace {
 using std::numbers::pi;
 
 void check(const ReleasedColumn& c, double x, double y) {
-  const auto demand = [](bool holds, const char* name, double value, const char* range) {
-    require(holds, "ReleasedColumn", name, value, range);
-  };
-  demand(c.width > 0 && std::isfinite(c.width), "width [m]", c.width, "finite and > 0");
-  demand(c.height > 0 && std::isfinite(c.height), "height [m]", c.height, "finite and > 0");
-  demand(c.density > 0 && std::isfinite(c.density), "density [kg/m^3]", c.density, "finite and > 0");
-  demand(c.gravity >= 0 && std::isfinite(c.gravity), "gravity [m/s^2]", c.gravity, "finite and >= 0");
-  demand(std::isfinite(x), "x [m]", x, "finite");
-  demand(std::isfinite(y), "y [m]", y, "finite");
+  const Demand demand{"ReleasedColumn"};
+  demand.positive(c.width, "width [m]");
+  demand.positive(c.height, "height [m]");
+  demand.positive(c.density, "density [kg/m^3]");
+  demand.not_negative(c.gravity, "gravity [m/s^2]");
+  demand.finite(x, "x [m]");
+  demand.finite(y, "y [m]");
 }
 
 /// The sum of the header over a, up to the first term that cannot be seen: the sign of the terms changes.

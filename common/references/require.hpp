@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -16,5 +17,20 @@ inline void require(bool holds, std::string_view where, std::string_view name, d
   sentence << where << ": " << name << " is " << value << ", it must be " << range;
   throw std::invalid_argument(sentence.str());
 }
+
+/// The usual demands on the inputs of the solution `where`.
+struct Demand {
+  std::string_view where;
+
+  void finite(double value, std::string_view name) const {
+    require(std::isfinite(value), where, name, value, "finite");
+  }
+  void positive(double value, std::string_view name) const {
+    require(value > 0 && std::isfinite(value), where, name, value, "finite and > 0");
+  }
+  void not_negative(double value, std::string_view name) const {
+    require(value >= 0 && std::isfinite(value), where, name, value, "finite and >= 0");
+  }
+};
 
 }  // namespace clapotis

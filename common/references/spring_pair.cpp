@@ -15,20 +15,15 @@ double gap(const SpringPair& p) { return std::abs(p.x2 - p.x1) - 2 * p.radius; }
 double closing_speed(const SpringPair& p) { return (p.v1 - p.v2) * side(p); }
 
 void check(const SpringPair& p) {
-  const auto positive = [](double value, const char* name) {
-    require(value > 0 && std::isfinite(value), "SpringPair", name, value, "finite and > 0");
-  };
-  const auto finite = [](double value, const char* name) {
-    require(std::isfinite(value), "SpringPair", name, value, "finite");
-  };
-  positive(p.stiffness, "stiffness [N/m]");
-  positive(p.radius, "radius [m]");
-  positive(p.mass1, "mass1 [kg]");
-  positive(p.mass2, "mass2 [kg]");
-  finite(p.x1, "x1 [m]");
-  finite(p.x2, "x2 [m]");
-  finite(p.v1, "v1 [m/s]");
-  finite(p.v2, "v2 [m/s]");
+  const Demand demand{"SpringPair"};
+  demand.positive(p.stiffness, "stiffness [N/m]");
+  demand.positive(p.radius, "radius [m]");
+  demand.positive(p.mass1, "mass1 [kg]");
+  demand.positive(p.mass2, "mass2 [kg]");
+  demand.finite(p.x1, "x1 [m]");
+  demand.finite(p.x2, "x2 [m]");
+  demand.finite(p.v1, "v1 [m/s]");
+  demand.finite(p.v2, "v2 [m/s]");
   require(gap(p) >= 0, "SpringPair", "gap |x2 - x1| - 2 radius [m]", gap(p), ">= 0 at the start");
   const double w = std::sqrt(p.stiffness / p.mass1 + p.stiffness / p.mass2);
   require(closing_speed(p) < 2 * p.radius * w, "SpringPair", "closing speed [m/s]", closing_speed(p),
@@ -78,7 +73,7 @@ SpringPair::State SpringPair::at(double t) const {
 double explicit_euler_amplification(double w_dt) { return 1 + w_dt * w_dt; }
 
 double explicit_euler_restitution(double w_dt) {
-  require(w_dt > 0 && std::isfinite(w_dt), "explicit_euler_restitution", "w dt", w_dt, "finite and > 0");
+  Demand{"explicit_euler_restitution"}.positive(w_dt, "w dt");
   return std::exp(std::log1p(w_dt * w_dt) * std::numbers::pi / (2 * w_dt));
 }
 

@@ -13,14 +13,12 @@ namespace {
 using std::numbers::pi;
 
 void check(const SquarePatch& p, double x, double y) {
-  const auto demand = [](bool holds, const char* name, double value, const char* range) {
-    require(holds, "SquarePatch", name, value, range);
-  };
-  demand(p.side > 0 && std::isfinite(p.side), "side [m]", p.side, "finite and > 0");
-  demand(std::isfinite(p.angular_speed), "angular_speed [rad/s]", p.angular_speed, "finite");
-  demand(p.density > 0 && std::isfinite(p.density), "density [kg/m^3]", p.density, "finite and > 0");
-  demand(std::isfinite(x), "x [m]", x, "finite");
-  demand(std::isfinite(y), "y [m]", y, "finite");
+  const Demand demand{"SquarePatch"};
+  demand.positive(p.side, "side [m]");
+  demand.finite(p.angular_speed, "angular_speed [rad/s]");
+  demand.positive(p.density, "density [kg/m^3]");
+  demand.finite(x, "x [m]");
+  demand.finite(y, "y [m]");
 }
 
 /// The sum over odd n of the header, up to the first term that cannot be seen. The two cosh are written with

@@ -8,25 +8,17 @@
 
 namespace clapotis {
 
-namespace {
-
-void positive(double value, const char* who, const char* name) {
-  require(value > 0 && std::isfinite(value), who, name, value, "finite and > 0");
-}
-
-}  // namespace
-
 double wave_frequency(double gravity, double k, double depth) {
-  positive(k, "wave_frequency", "k [1/m]");
-  positive(depth, "wave_frequency", "depth [m]");
+  Demand{"wave_frequency"}.positive(k, "k [1/m]");
+  Demand{"wave_frequency"}.positive(depth, "depth [m]");
   return std::sqrt(gravity * k * std::tanh(k * depth));
 }
 
 ViscousWave viscous_wave(double gravity, double k, double viscosity) {
   using Complex = std::complex<double>;
-  positive(gravity, "viscous_wave", "gravity [m/s^2]");
-  positive(k, "viscous_wave", "k [1/m]");
-  positive(viscosity, "viscous_wave", "viscosity [m^2/s]");
+  Demand{"viscous_wave"}.positive(gravity, "gravity [m/s^2]");
+  Demand{"viscous_wave"}.positive(k, "k [1/m]");
+  Demand{"viscous_wave"}.positive(viscosity, "viscosity [m^2/s]");
   const double damping = 2 * viscosity * k * k;
   const auto equation = [&](Complex n) {
     return (n + damping) * (n + damping) + gravity * k -
@@ -50,7 +42,7 @@ double SwayedTank::natural_frequency(int n) const {
 }
 
 double SwayedTank::elevation(double x, double t) const {
-  positive(width, "SwayedTank", "width [m]");
+  Demand{"SwayedTank"}.positive(width, "width [m]");
   double sum = 0;
   for (int n = 1; n < 400; n += 2) {
     const double k = n * std::numbers::pi / width, w = natural_frequency(n);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "common/kernels/cubic_spline.hpp"
@@ -14,17 +15,13 @@ using namespace clapotis;
 
 namespace {
 
-/// Greatest kinetic energy of the disturbed lattice in so many steps of dt = cfl h/c; infinity if it is lost.
-double most_kinetic(std::string_view integrator, double cfl, int steps, const Overrides& setting) {
-  auto overrides = setting;
-  const double h_over_dx = setting.contains("h_over_dx") ? 1.5 : 1.3;
-  overrides.insert_or_assign("dt", Override{to_text(cfl * h_over_dx)});  // dx = 1, c = 1
-  Simulation lattice(stage4::stage().scene("acoustic"), overrides, integrator);
+/// The greatest that `what` is in so many steps; infinity if the run is lost.
+double most_of(Simulation& lattice, int steps, const std::function<double()>& what) {
   double most = 0;
   try {
     for (int step = 0; step < steps; ++step) {
       lattice.step();
-      most = std::max(most, lattice.particles().velocity.square().sum());
+      most = std::max(most, what());
     }
   } catch (const Diverged&) {
     return std::numeric_limits<double>::infinity();
@@ -34,16 +31,16 @@ double most_kinetic(std::string_view integrator, double cfl, int steps, const Ov
 
 /// Greatest speed in so many steps; infinity if the run is lost.
 double most_speed(Simulation& lattice, int steps) {
-  double most = 0;
-  try {
-    for (int step = 0; step < steps; ++step) {
-      lattice.step();
-      most = std::max(most, max_speed(lattice.particles()));
-    }
-  } catch (const Diverged&) {
-    return std::numeric_limits<double>::infinity();
-  }
-  return most;
+  return most_of(lattice, steps, [&] { return max_speed(lattice.particles()); });
+}
+
+/// Greatest kinetic energy of the disturbed lattice in so many steps of dt = cfl h/c; infinity if it is lost.
+double most_kinetic(std::string_view integrator, double cfl, int steps, const Overrides& setting) {
+  auto overrides = setting;
+  const double h_over_dx = setting.contains("h_over_dx") ? 1.5 : 1.3;
+  overrides.insert_or_assign("dt", Override{to_text(cfl * h_over_dx)});  // dx = 1, c = 1
+  Simulation lattice(stage4::stage().scene("acoustic"), overrides, integrator);
+  return most_of(lattice, steps, [&] { return lattice.particles().velocity.square().sum(); });
 }
 
 /// The rate at which the viscosity of Morris damps the wave of a lattice that it damps fastest, over nu, dx =
