@@ -14,7 +14,7 @@ struct Words {
   std::string_view unknown_parameter, unknown_name, did_you_mean, value_out_of_range, not_a_number,
       not_an_integer, not_a_choice, comma_for_dot, needs_restart, derived_parameter, too_many_discs,
       box_too_small, outside_box, no_time_step, vanishing_time_step, too_many_steps, other_unit, from_place,
-      threads_out_of_range, spacing_too_large, spacing_too_small;
+      threads_out_of_range, spacing_too_large, spacing_too_small, no_room_for_drop, obstacle_over_liquid;
   // ranges of values
   std::string_view any_finite, range_above, range_at_least, range_at_most, range_between, or_auto;
   // what a run says
@@ -58,11 +58,12 @@ struct Words {
         velocity_scale, diverged, try_another;
     // notices
     std::string_view picture_saved;
+    std::string_view mouse, tool_probe, tool_pull, tool_push, tool_add, tool_erase, tool_obstacle, tool_grab;
     // the help
     std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag, key_control_click,
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
         does_neighbour, does_vectors, does_plots, does_panel, does_view, does_picture, does_help, does_quit,
-        does_select, does_zoom, does_pan, does_type;
+        does_select, does_zoom, does_pan, does_type, key_right, does_right;
   } window;
 };
 

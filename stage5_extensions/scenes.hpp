@@ -11,6 +11,14 @@ Stage stage();
 Setup poiseuille(Parameters& p);
 Setup couette(Parameters& p);
 
+// Continuous flows, with liquid that enters or leaves: open_flows.cpp.
+Setup jet(Parameters& p);
+Setup channel(Parameters& p);
+Setup draining(Parameters& p);
+
+// A tank for the mouse: sandbox.cpp.
+Setup sandbox(Parameters& p);
+
 // A tank of water with a surface that moves: waves.cpp.
 Setup standing_wave(Parameters& p);
 Setup sloshing(Parameters& p);

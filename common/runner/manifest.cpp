@@ -49,7 +49,8 @@ Json units_json(const Simulation& s) {
     if (!column.has_meaning(s)) continue;
     series[column.name] = unit_of(column, s);
   }
-  for (const auto& measure : s.setup().measures) series[measure.name] = with_length(measure.unit, s.scene().length_unit);
+  for (const auto& measure : s.setup().measures)
+    series[measure.name] = with_length(measure.unit, s.scene().length_unit);
   return {{"series.csv", series},
           {"final.csv", particle_units(s)},
           {"energy", energy_unit(s)},

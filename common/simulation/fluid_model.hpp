@@ -4,6 +4,8 @@
 
 #include "common/kernels/kernel.hpp"
 #include "common/laws/dummy_walls.hpp"
+#include "common/laws/hand.hpp"
+#include "common/laws/open_ends.hpp"
 #include "common/neighbours/packs_near.hpp"
 #include "common/simulation/fluid_arrangement.hpp"
 #include "common/simulation/law_set.hpp"
@@ -35,14 +37,17 @@ inline None operator+(None /*a*/, None /*b*/) { return {}; }
 template <class Kernel, Law... Laws>
 class FluidModel final : public Model {
  public:
-  /// The scene has stated the parameters of `Fluid`. `walls` may be empty; `period` is that of the plane.
-  FluidModel(Parameters& p, DensityForm form, DummyWalls walls = {}, const Period& period = {})
+  /// The scene has stated the parameters of `Fluid`. `walls` may be empty; `period` is that of the plane;
+  /// open ends need a density that is advanced.
+  FluidModel(Parameters& p, DensityForm form, DummyWalls walls = {}, const Period& period = {},
+             OpenEnds ends = {})
       : laws_(p),
         form_(form),
         fluid_(Fluid::from(p)),
         kernel_(fluid_.h),
         sorted_(kernel_.support(), period),
-        walls_(std::move(walls)) {
+        walls_(std::move(walls)),
+        ends_(std::move(ends)) {
     read(p);
   }
 
@@ -73,6 +78,8 @@ class FluidModel final : public Model {
   void settle(System& s, double dt) override {
     laws_.settle(s, dt);
     sorted_.period().wrap(s.position);
+    if (ends_.exist())
+      ends_.renew(s, fluid_.state.sound_speed, [&](Index i) { return energy_of(s.particles, i); });
   }
   void refresh(Parameters& p) override {
     laws_.refresh(p);
@@ -101,6 +108,29 @@ class FluidModel final : public Model {
   [[nodiscard]] const DummyWalls* wall_particles() const override {
     return walls_.size() > 0 ? &walls_ : nullptr;
   }
+  [[nodiscard]] Hand* hand() override {
+    if constexpr ((std::is_same_v<Laws, Hand> || ...))
+      return &laws_.template get<Hand>();
+    else
+      return nullptr;
+  }
+  [[nodiscard]] Vectors obstacles() const override { return obstacles_; }
+  void put_obstacles(const Vectors& places) override {
+    if (obstacles_.rows() == 0) bare_walls_ = walls_.places;
+    obstacles_ = places;
+    Vectors all(bare_walls_.rows() + places.rows(), 2);
+    all << bare_walls_, places;
+    walls_ = DummyWalls(all, fluid_, kernel_.support(), sorted_.period());
+  }
+  [[nodiscard]] bool has_open_ends() const override { return ends_.exist(); }
+  [[nodiscard]] Column vorticity(const Particles& particles) override {
+    arrange(particles);
+    Column curl(particles.size());
+    for_each(sorted_.slots(), particles.threads, [&](Index slot) {
+      if (!sorted_.is_image(slot)) curl(sorted_.id(slot)) = curl_at(slot);
+    });
+    return curl;
+  }
   [[nodiscard]] std::vector<double> law_seconds(const System& s, int repetitions) override {
     Vectors scratch(s.particles.size(), 2);
     Particles& particles = const_cast<System&>(s).particles;
@@ -125,6 +155,13 @@ class FluidModel final : public Model {
       diffusion_ =
           2 * fluid_.h * fluid_.state.sound_speed *
           p.number({.name = "delta", .symbol = "delta", .unit = "", .value = 0.1, .range = not_negative});
+  }
+
+  /// Of a particle whose density is advanced.
+  [[nodiscard]] double energy_of(const Particles& particles, Index i) const {
+    const Vector v = row(particles.velocity, i);
+    return fluid_.mass * (dot(v, v) / 2 + fluid_.state.energy(particles.density(i))) +
+           laws_.potential(particles, i);
   }
 
   void arrange(const Particles& particles) {
@@ -188,7 +225,8 @@ class FluidModel final : public Model {
   /// d rho_i/dt = rho_i sum_j V_j v_ij.grad W, walls at rest included, and the diffusion of density among the
   /// fluid (Molteni & Colagrossi 2009), from which the hydrostatic part is taken out (Fourtakas et al. 2019):
   ///   2 delta h c sum_j V_j [rho_i - rho_j - rho_0 g.d/c^2] W'/r.
-  /// Returns the power that the diffusion takes: -m p/rho^2 times its rate.
+  /// Returns the power that the diffusion takes: -m p/rho^2 times its rate; where open ends hold the density,
+  /// the power that would have compressed it.
   [[gnu::flatten]] double continuity(Index slot, Column& rate) const {
     const auto& c = sorted_.columns;
     const auto i = c.at(slot);
@@ -207,9 +245,24 @@ class FluidModel final : public Model {
       const Pack volume = load(walls_.columns.volume.data(), at);
       compression += volume * kernel_.slope_over_r(r, inverse) * dot(velocity - walls_.own_velocity(at), d);
     });
-    const double spread = diffusion_ * sum(diffusion);
-    rate(sorted_.id(slot)) = i.density * sum(compression) + spread;
-    return -i.volume * i.pressure / i.density * spread;
+    const double spread = diffusion_ * sum(diffusion), squeezed = i.density * sum(compression);
+    const bool held = ends_.hold(c.position(slot));
+    rate(sorted_.id(slot)) = held ? 0 : squeezed + spread;
+    return i.volume * i.pressure / i.density * (held ? squeezed : -spread);
+  }
+
+  /// curl v = sum_j V_j (v_ij x d) W'/r, z upwards; v_ij = v_i - v_j.
+  [[gnu::flatten]] double curl_at(Index slot) const {
+    const auto& c = sorted_.columns;
+    const auto i = c.at(slot);
+    const Vec<Pack> velocity{Pack(i.velocity.x), Pack(i.velocity.y)};
+    Pack curl(0.0);
+    around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
+      const auto j = c.at(at);
+      const Vec<Pack> v = velocity - j.velocity;
+      curl += j.volume * kernel_.slope_over_r(r, inverse) * (v.x * d.y - v.y * d.x);
+    });
+    return sum(curl);
   }
 
   /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.
@@ -255,6 +308,10 @@ class FluidModel final : public Model {
         if (others > 0) met_at_one_point_ += others;
         acceleration += 1 / fluid_.mass * force;
         power = lost;
+      }
+      if (ends_.hold(sorted_.columns.position(slot))) {
+        power += fluid_.mass * dot(acceleration, row(particles.velocity, i));
+        acceleration = {0, 0};
       }
       a(i, 0) = acceleration.x;
       a(i, 1) = acceleration.y;
@@ -365,8 +422,10 @@ class FluidModel final : public Model {
   Kernel kernel_;
   FluidArrangement sorted_;
   DummyWalls walls_;
-  Vector gravity_{0, 0};  ///< [L/s^2]
-  double diffusion_ = 0;  ///< 2 delta h c [L^2/s]
+  OpenEnds ends_;
+  Vectors bare_walls_{0, 2}, obstacles_{0, 2};  ///< what the walls are made of, where obstacles were drawn
+  Vector gravity_{0, 0};                        ///< [L/s^2]
+  double diffusion_ = 0;                        ///< 2 delta h c [L^2/s]
   std::atomic<long long> met_at_one_point_ = 0;
 };
 

@@ -32,7 +32,7 @@ struct Simulation::Checkpoint {
   Particles particles;
   double time, dissipated, dissipation;
   bool current;
-  long force_evaluations, steps;
+  long force_evaluations, steps, entered, left;
   Clock clock;
   long long coincident, folded;
 };
@@ -116,6 +116,19 @@ void Simulation::set(std::string_view name, std::string_view value) {
   keep();
 }
 
+void Simulation::edit(const std::function<void(System&)>& change) {
+  auto& s = *system_;
+  const double before = energy().mechanical();
+  change(s);
+  s.dissipated_energy += before - energy().mechanical();
+  setup_.reference.reset();
+  s.evaluate(s.time);
+  s.current = true;
+  choose_step();
+  bound_speed();
+  keep();
+}
+
 void Simulation::step(double until) {
   const double left = until - time();
   const double dt = left < dt_ * (1 + 1e-9) ? left : dt_;
@@ -184,10 +197,11 @@ void Simulation::check(double dt) {
                                               fmt::arg("dt", fmt::format("{:.4g}", dt))));
   const long step = steps_;
   const double t = time();
+  const Index id = particles().id(particle);
   go_back(step - 1);
   throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", fmt::format("{:.6g}", t)),
-                     fmt::arg("particle", particle), fmt::arg("cause", cause)),
-                 step, t, particle);
+                     fmt::arg("particle", id), fmt::arg("cause", cause)),
+                 step, t, id);
 }
 
 void Simulation::keep() {
@@ -200,6 +214,8 @@ void Simulation::keep() {
   c.dissipation = s.dissipation;
   c.current = s.current;
   c.force_evaluations = s.force_evaluations;
+  c.entered = s.entered;
+  c.left = s.left;
   c.steps = steps_;
   c.clock = clock_;
   c.coincident = s.model.coincident;
@@ -217,6 +233,8 @@ void Simulation::go_back(long steps) {
   s.dissipation = c.dissipation;
   s.current = c.current;
   s.force_evaluations = c.force_evaluations;
+  s.entered = c.entered;
+  s.left = c.left;
   clock_ = c.clock;
   s.model.coincident = c.coincident;
   s.model.folded = c.folded;
@@ -254,7 +272,8 @@ std::vector<std::string> Simulation::warnings() const {
 }
 
 double Simulation::bytes_per_particle() const {
-  return static_cast<double>(particles().bytes() + model().bytes()) / static_cast<double>(particles().size());
+  return static_cast<double>(particles().bytes() + model().bytes()) /
+         static_cast<double>(std::max<Index>(particles().size(), 1));
 }
 
 }  // namespace clapotis

@@ -35,6 +35,9 @@ class Simulation {
   /// that needs a restart is changed by building a new Simulation from `parameters().overrides()`.
   void set(std::string_view name, std::string_view value);
   void use_integrator(std::string_view name);
+  /// Changes the state by hand, between two steps; `change` may add and remove particles and obstacles. The
+  /// energy that it brings counts as negative dissipation, and there is no reference any more.
+  void edit(const std::function<void(System&)>& change);
 
   /// Calls `look` with accelerations that belong to the positions and velocities as they stand, without the
   /// walls' reaction; what follows is as if nobody had looked.

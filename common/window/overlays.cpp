@@ -124,6 +124,7 @@ void lay_out_help(WindowState& state, const Box& area) {
     }
   }
   lines.emplace_back(w().key_click, w().does_select);
+  lines.emplace_back(w().key_right, w().does_right);
   lines.emplace_back(w().key_wheel, w().does_zoom);
   lines.emplace_back(w().key_middle_drag, w().does_pan);
   lines.emplace_back(w().key_control_click, w().does_type);

@@ -1,6 +1,9 @@
 #include "common/window/panel.hpp"
 
+#include <array>
+
 #include "common/runner/ticks.hpp"
+#include "common/simulation/tools.hpp"
 #include "common/window/step_light.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
@@ -64,6 +67,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
   parameters(state);
   time_step(state);
   view(state);
+  mouse(state);
   cost(state);
   ImGui::End();
 }
@@ -211,6 +215,24 @@ void Panel::view(WindowState& state) {
   tick("vectors", w().vectors, sight.vectors);
   ImGui::SameLine(start + 0.70F * width);
   tick("plots", w().plots, sight.plots);
+}
+
+/// What the left button does, where there is a hand.
+void Panel::mouse(WindowState& state) {
+  if (!has_hand(state.session.simulation())) return;
+  heading(w().mouse);
+  const std::array labels{w().tool_probe, w().tool_pull,     w().tool_push, w().tool_add,
+                          w().tool_erase, w().tool_obstacle, w().tool_grab};
+  constexpr std::size_t in_a_line = 4;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - (in_a_line - 1) * gap) / in_a_line;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (k % in_a_line > 0) ImGui::SameLine();
+    const bool chosen = state.tool == static_cast<Tool>(k);
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (button(std::string("tool:") + tool_names[k], labels[k], width)) state.tool = static_cast<Tool>(k);
+    if (chosen) ImGui::PopStyleColor();
+  }
 }
 
 void Panel::cost(WindowState& state) {

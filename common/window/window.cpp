@@ -8,9 +8,11 @@
 #include "common/runner/ink.hpp"
 #include "common/runner/interrupt.hpp"
 #include "common/runner/stopwatch.hpp"
+#include "common/simulation/tools.hpp"
 #include "common/window/display.hpp"
 #include "common/window/keys.hpp"
 #include "common/window/mouse.hpp"
+#include "common/window/mouse_tool.hpp"
 #include "common/window/overlays.hpp"
 #include "common/window/panel.hpp"
 #include "common/window/scene_view.hpp"
@@ -56,6 +58,7 @@ class Window {
       const auto inputs = screen_.poll();
       for (const Input& input : inputs) handle(input);
       state_.session.advance(elapsed, budget);
+      tool_.follow(state_);
       notice_changes();
       if (is_calm(now, !inputs.empty())) {
         screen_.rest();
@@ -87,10 +90,9 @@ class Window {
       state_.quit = true;
     } else if (input.kind == Kind::key_down || input.kind == Kind::character) {
       if (state_.typing.empty() && !screen_.panel_wants_text()) press(state_, input);
-    } else if (input.kind != Kind::button_down && input.kind != Kind::wheel) {
-      mouse_.handle(state_, view_.view(), input);
-    } else if (!screen_.panel_wants_mouse()) {
-      mouse_.handle(state_, view_.view(), input);
+    } else if ((input.kind != Kind::button_down && input.kind != Kind::wheel) ||
+               !screen_.panel_wants_mouse()) {
+      if (!tool_.handle(state_, view_.view(), input)) mouse_.handle(state_, view_.view(), input);
     }
   }
 
@@ -100,8 +102,10 @@ class Window {
     if (session.starts() != starts_) {
       starts_ = session.starts();
       warnings_ = 0;
-      if (std::exchange(scene_, session.scene()) != session.scene())
+      if (std::exchange(scene_, session.scene()) != session.scene()) {
         state_.sight.look_at_other_scene(session.simulation());
+        state_.tool = has_hand(session.simulation()) ? Tool::pull : Tool::probe;
+      }
     }
     const auto warnings = session.simulation().warnings();
     if (warnings.size() > warnings_) state_.notice = {warnings.back(), true, 10};
@@ -150,6 +154,7 @@ class Window {
   Panel panel_{controls_};
   SceneView view_;
   SceneMouse mouse_;
+  MouseTool tool_;
   Watch watch_;
   std::string title_;
   double until_title_ = 0;

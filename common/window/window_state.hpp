@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "common/simulation/errors.hpp"
@@ -16,6 +18,14 @@ struct Notice {
   double seconds_left = 0;
 };
 
+/// What the left mouse button does: looks at a particle, or acts on a liquid that has a hand.
+enum class Tool { probe, pull, push, add, erase, obstacle, grab };
+inline constexpr std::array<const char*, 7> tool_names{"probe", "pull",     "push", "add",
+                                                       "erase", "obstacle", "grab"};
+inline std::string tool_name(Tool tool) { return tool_names[static_cast<std::size_t>(tool)]; }
+/// How far it reaches around the mouse; 0 where it acts on a point or on the whole tank [L].
+[[nodiscard]] double brush_radius(const Simulation& simulation, Tool tool);
+
 /// All that the user of the window can change, and what every part of it reads.
 struct WindowState {
   Session session;
@@ -28,6 +38,8 @@ struct WindowState {
   bool close_menu = false;  ///< ... and Esc was pressed
   std::string typing{};     ///< the parameter whose value is being typed
   double scale = 1;
+  Tool tool = Tool::probe;
+  std::optional<Point> mouse{};  ///< where it is in the window [pixel]
 
   /// Does what the user asked for; what cannot be done is said instead.
   template <class Action>
