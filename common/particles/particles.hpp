@@ -71,6 +71,19 @@ struct Particles {
   /// Memory of all columns [byte].
   [[nodiscard]] std::size_t bytes() const;
 
+  /// Calls visit(column) for each there is, empty ones included, always in the same order: who saves them
+  /// cannot forget one.
+  template <class Visit>
+  void each_column(Visit&& visit) {
+    visit(position);
+    visit(velocity);
+    visit(acceleration);
+    visit(density);
+    visit(density_rate);
+    visit(pressure);
+    for (auto& column : extra) visit(column.values);
+  }
+
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t masses_ = none;  ///< place of the column "mass"

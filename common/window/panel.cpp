@@ -64,6 +64,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
   parameters(state);
   time_step(state);
   view(state);
+  record(state);
   cost(state);
   ImGui::End();
 }
@@ -211,6 +212,20 @@ void Panel::view(WindowState& state) {
   tick("vectors", w().vectors, sight.vectors);
   ImGui::SameLine(start + 0.70F * width);
   tick("plots", w().plots, sight.plots);
+}
+
+void Panel::record(WindowState& state) {
+  heading(w().record);
+  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+  if (button("picture", w().picture, width)) state.picture_wanted = true;
+  ImGui::SameLine();
+  if (button("video", state.recorder.recording() ? w().stop_video : w().video, width)) state.toggle_video();
+  ImGui::SameLine();
+  if (button("save", w().save, width)) state.save();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(state.recorder.saved().empty());
+  if (button("restore", w().restore, width)) state.restore();
+  ImGui::EndDisabled();
 }
 
 void Panel::cost(WindowState& state) {

@@ -4,6 +4,7 @@
 
 #include "common/simulation/errors.hpp"
 #include "common/window/cost_meter.hpp"
+#include "common/window/recorder.hpp"
 #include "common/window/session.hpp"
 #include "common/window/sight.hpp"
 
@@ -21,6 +22,7 @@ struct WindowState {
   Session session;
   Sight sight{};
   CostMeter cost{};
+  Recorder recorder{};
   Notice notice{};
   bool panel = true, help = false;
   bool picture_wanted = false, quit = false;
@@ -28,6 +30,10 @@ struct WindowState {
   bool close_menu = false;  ///< ... and Esc was pressed
   std::string typing{};     ///< the parameter whose value is being typed
   double scale = 1;
+
+  void save();          ///< the state, and says where
+  void restore();       ///< the state saved last
+  void toggle_video();  ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.
   template <class Action>
