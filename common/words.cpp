@@ -79,6 +79,43 @@ constexpr Words english{
     .config_key_twice = "{file}: {key} is given twice",
     .config_not_json = "{file}, line {line}: this is not JSON: {reason}",
     .config_other_stage = "{file} is of {other}, and this program is {stage}",
+    .video_extension = "--video {file}: the name must end in .mp4",
+    .option_without = "{option} has no meaning without {other}",
+    .state_no_state = "{file} is not a saved state: --resume takes what --save, or F5 in the window, wrote",
+    .state_other_format =
+        "{file} is a state of format {format}, and this program reads format {own}: resume it with the "
+        "program that wrote it",
+    .state_cut_short =
+        "{file} is cut short, {bytes} bytes of {whole}: copy it again from where it was saved, or run from "
+        "the start",
+    .state_damaged =
+        "{file} is damaged: its bytes are not those that were saved; copy it again from where it was saved, "
+        "or run from the start",
+    .state_other_version =
+        "{file} was saved by {other}, and this is {own}, which need not give the same bits: resume it with "
+        "that version, or run from the start",
+    .state_other_width =
+        "{file} was saved by a program with vectors of {other}, and this one has vectors of {own}, which "
+        "give "
+        "other bits: resume it with a build for that processor, or run from the start",
+    .state_other_build =
+        "{file} was saved by another build of this program, which need not give the same bits: resume it "
+        "with "
+        "that build, or run from the start",
+    .state_other_scene =
+        "{file} is of scene {other}, not of {scene}: leave the scene out, or run {scene} without --resume",
+    .state_contradiction =
+        "{name} = {value} contradicts {file}, where {name} = {other}, and cannot change while the scene "
+        "runs: leave it out, or run from the start without --resume",
+    .state_at_end = "{file} stands at t = {time} s, step {steps}, already: {option} must be beyond",
+    .resume_and_config =
+        "--resume and --config: a resumed run has its values from the state; give what is to change with "
+        "--set",
+    .no_encoder =
+        "there is no ffmpeg to make {file} with: install it (on Debian and Ubuntu: apt install ffmpeg), or "
+        "leave the video out",
+    .encoder_failed = "ffmpeg gave up on {file}: {reason}",
+    .encoder_ended = "it ended with exit code {code}",
     .cannot_read = "cannot read {file}: {reason}",
     .cannot_write = "cannot write {file}: {reason}",
     .folder_exists =
@@ -172,7 +209,19 @@ constexpr Words english{
         "simulated time between two rows of series.csv [s]; otherwise each step of a short run, some "
         "500 rows of a long one",
     .help_frames = "also write all particles to frames/NNNN.csv at this interval [s]",
+    .help_vtk =
+        "also write all particles to vtk/NNNN.vtu at this interval [s], and vtk.pvd, which ParaView opens",
     .help_picture = "also write a picture here, .png, .svg or .pdf",
+    .help_video = "also make a film of the run, which needs ffmpeg",
+    .help_video_every =
+        "simulated time between two frames of it, 30 of which last a second [s]; otherwise in real time, "
+        "but from 5 to 60 seconds long",
+    .help_save =
+        "save the state at the end, from which --resume goes on; the last step that --until altered is not "
+        "in it",
+    .help_resume =
+        "go on from a saved state, bit for bit; --until and --steps count from the first start, and live "
+        "parameters may change",
     .help_list = "print scenes, parameters, integrators or kernels, and end",
     .help_json = "print run.json (or the list) for a program to read",
     .help_quiet = "print nothing but errors",
@@ -218,6 +267,13 @@ constexpr Words english{
             .particles = "N = {count}",
             .step_cost = "{time} per step",
             .real_time = "x{factor} real time",
+            .record = "Record",
+            .picture = "picture",
+            .video = "video",
+            .stop_video = "stop",
+            .save = "save",
+            .restore = "restore",
+            .recording = "recording, {seconds} s",
             .pairs_near = "{count} pairs in reach",
             .pairs_tested = "of {count} tested",
             .frames = "{count} frames/s",
@@ -241,6 +297,9 @@ constexpr Words english{
             .tool_erase = "erase",
             .tool_obstacle = "wall",
             .tool_grab = "shake",
+            .state_saved = "Saved {file}; F9 comes back to this moment",
+            .state_restored = "Back to {file}",
+            .nothing_saved = "There is nothing to come back to yet: F5 saves the state",
             .help_title = "Keys and mouse",
             .help_close = "Esc closes this",
             .key_click = "Click",
@@ -260,6 +319,9 @@ constexpr Words english{
             .does_plots = "energies and error over time",
             .does_panel = "hide or show the panel",
             .does_view = "whole scene",
+            .does_save = "save the state",
+            .does_restore = "back to the state saved last",
+            .does_video = "begin or end a video",
             .does_picture = "save a picture",
             .does_help = "this help",
             .does_quit = "close what is open, then quit",

@@ -84,6 +84,23 @@ struct Particles {
   /// Memory of all columns [byte].
   [[nodiscard]] std::size_t bytes() const;
 
+  /// Calls visit(x) for all columns, empty ones included, and for the ids, always in the same order: who
+  /// saves them cannot forget one.
+  template <class Visit>
+  void pass_state(Visit&& visit) {
+    visit(position);
+    visit(velocity);
+    visit(acceleration);
+    visit(density);
+    visit(density_rate);
+    visit(pressure);
+    for (auto& column : extra) visit(column.values);
+    visit(ids_);
+    visit(next_id_);
+    visit(dense_);
+    visit(rated_);
+  }
+
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   /// Calls act(column) for all that exist.

@@ -106,7 +106,16 @@ CairoCanvas::CairoCanvas(std::filesystem::path file, Point size)
   cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
 }
 
+CairoCanvas::CairoCanvas(Point size) : CairoCanvas("image.png", size) {}
+
 CairoCanvas::~CairoCanvas() = default;
+
+std::span<const unsigned char> CairoCanvas::pixels() {
+  cairo_surface_flush(surface_.get());
+  const auto rows = static_cast<std::size_t>(cairo_image_surface_get_height(surface_.get()));
+  const auto row = static_cast<std::size_t>(cairo_image_surface_get_stride(surface_.get()));
+  return {cairo_image_surface_get_data(surface_.get()), rows * row};
+}
 
 void CairoCanvas::save() {
   auto status = cairo_status(cairo_.get());

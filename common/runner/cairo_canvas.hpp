@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "common/runner/canvas.hpp"
@@ -24,6 +25,8 @@ class CairoCanvas final : public Canvas {
   /// `size` in pixels (PNG; rounded up) or points (SVG, PDF), from 1 to 32767. Throws std::invalid_argument
   /// for an unknown extension or another size.
   CairoCanvas(std::filesystem::path file, Point size);
+  /// An image that becomes no file: its pixels are what is wanted.
+  explicit CairoCanvas(Point size);
   ~CairoCanvas() override;
   CairoCanvas(const CairoCanvas&) = delete;
   CairoCanvas& operator=(const CairoCanvas&) = delete;
@@ -31,6 +34,8 @@ class CairoCanvas final : public Canvas {
   /// Writes to a temporary name in the same folder, then renames: the file is whole or it is not there. Once
   /// only; nothing can be painted afterwards. Throws std::system_error that names the file and the reason.
   void save();
+  /// Of a PNG or an image, rows of 4 bytes per pixel: blue, green, red, nothing.
+  [[nodiscard]] std::span<const unsigned char> pixels();
 
   [[nodiscard]] Point size() const override { return size_; }
   void rectangle(const Box& box, Colour fill) override;

@@ -26,7 +26,12 @@ constexpr std::array settings{
     Setting{"--out", "DIR", &Words::help_out},
     Setting{"--every", "DT", &Words::help_every},
     Setting{"--frames", "DT", &Words::help_frames},
+    Setting{"--vtk", "DT", &Words::help_vtk},
     Setting{"--picture", "FILE", &Words::help_picture},
+    Setting{"--video", "FILE.mp4", &Words::help_video},
+    Setting{"--video-every", "DT", &Words::help_video_every},
+    Setting{"--save", "FILE", &Words::help_save},
+    Setting{"--resume", "FILE", &Words::help_resume},
     Setting{"--list", "KIND", &Words::help_list},
     Setting{"--scale", "X", &Words::help_scale},
 };

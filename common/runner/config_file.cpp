@@ -136,8 +136,9 @@ void read_seed(const Reader& reader, const Json& seed, ConfigFile& config) {
 }  // namespace
 
 ConfigFile read_config(const std::filesystem::path& file) {
-  static const std::vector<std::string> inputs{"stage",      "scene", "integrator", "seed",  "threads",
-                                               "parameters", "until", "steps",      "every", "frames"};
+  static const std::vector<std::string> inputs{"stage",   "scene",      "integrator", "seed",
+                                               "threads", "parameters", "until",      "steps",
+                                               "every",   "frames",     "vtk"};
   const Reader reader{file};
   const auto json = parse(reader, read_text(file));
   reader.require_object(json, file.filename().string());

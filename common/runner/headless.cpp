@@ -1,26 +1,20 @@
 #include "common/runner/headless.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 
 #include "common/runner/atomic_file.hpp"
-#include "common/runner/cadence.hpp"
-#include "common/runner/describe.hpp"
 #include "common/runner/exit_code.hpp"
-#include "common/runner/history.hpp"
 #include "common/runner/interrupt.hpp"
 #include "common/runner/manifest.hpp"
 #include "common/runner/numbers.hpp"
 #include "common/runner/particle_table.hpp"
 #include "common/runner/progress.hpp"
-#include "common/runner/run_folder.hpp"
-#include "common/runner/save_sheet.hpp"
-#include "common/runner/series.hpp"
+#include "common/runner/run_outputs.hpp"
+#include "common/runner/saved_state.hpp"
 #include "common/runner/summary.hpp"
 #include "common/runner/timing.hpp"
 #include "common/simulation/errors.hpp"
-#include "common/words.hpp"
 
 namespace clapotis {
 namespace {
@@ -35,52 +29,46 @@ class HeadlessRun {
   HeadlessRun(const Stage& stage, const Options& options)
       : stage_(stage),
         options_(options),
-        simulation_(stage.scene(options.scene.value), options.parameters, options.integrator.value,
-                    options.threads.value),
+        owned_(start_simulation(stage, options)),
+        simulation_(*owned_),
         until_(!options.until  ? never
                : options.steps ? options.until->value
                                : reachable(options.until->value, simulation_.dt())),
         most_steps_(options.steps ? options.steps->value : std::numeric_limits<long>::max()),
-        folder_(options.out ? RunFolder(*options.out, options.force, files_of_run)
-                            : RunFolder::by_date(stage.name + "-" + options.scene.value)),
-        rows_(options.every.value_or(
-            usual_interval(simulation_.dt(), length(), simulation_.particles().size()))),
-        frames_(options.frames.value_or(0)),
-        series_(folder_.file("series.csv"), simulation_) {}
+        outputs_(stage, options, simulation_, length()) {
+    result_.first_time = simulation_.time();
+    result_.first_step = simulation_.steps();
+    result_.start = result_.end = simulation_.energy();
+    write_file(outputs_.folder().file("run.json"), run_manifest(stage_, options_, simulation_, result_));
+  }
 
   int run() {
-    begin();
     try {
       advance();
     } catch (const Diverged& error) {
       result_.reason = StopReason::diverged;
       result_.divergence = error.what();
+      before_end_.reset();
       finish();
       throw;
     }
     finish();
+    if (!outputs_.video_failure().empty()) throw FileError(outputs_.video_failure());
     return result_.reason == StopReason::interrupted ? exit_interrupted : exit_done;
   }
 
  private:
   /// At most [s].
   [[nodiscard]] double length() const {
-    return std::min(until_, static_cast<double>(most_steps_) * simulation_.dt());
-  }
-
-  void begin() {
-    result_.start = result_.end = simulation_.energy();
-    write_file(folder_.file("run.json"), run_manifest(stage_, options_, simulation_, result_));
-    record();
-    if (options_.frames) write_frame();
+    return std::min(until_ - simulation_.time(),
+                    static_cast<double>(most_steps_ - simulation_.steps()) * simulation_.dt());
   }
 
   void advance() {
     Progress progress(!options_.quiet);
     while (!has_ended()) {
       stretch();
-      if (rows_.due(simulation_.time(), simulation_.dt())) record();
-      if (options_.frames && frames_.due(simulation_.time(), simulation_.dt())) write_frame();
+      outputs_.write_due();
       progress.show(share_done(), simulation_.time());
     }
   }
@@ -99,94 +87,64 @@ class HeadlessRun {
     {
       const Timing timing(result_.cpu_seconds);
       const long last = std::min(most_steps_, simulation_.steps() + steps_per_stretch_);
-      do simulation_.step(until_);
-      while (simulation_.steps() < last && simulation_.time() < until_ && !is_output_due() &&
-             !Interrupt::asked());
+      do {
+        if (options_.save && simulation_.next_ends_at(until_)) before_end_ = copy_state(stage_, simulation_);
+        simulation_.step(until_);
+      } while (simulation_.steps() < last && simulation_.time() < until_ && !outputs_.due() &&
+               !Interrupt::asked());
     }
     const double seconds = wall_seconds() - start;
     if (seconds < shortest_stretch) steps_per_stretch_ = std::min(2 * steps_per_stretch_, longest_stretch);
     if (seconds > 2 * shortest_stretch) steps_per_stretch_ = std::max(steps_per_stretch_ / 2, 1L);
   }
 
-  [[nodiscard]] bool is_output_due() const {
-    const double time = simulation_.time(), dt = simulation_.dt();
-    return rows_.due(time, dt) || (options_.frames && frames_.due(time, dt));
-  }
-
   [[nodiscard]] double share_done() const {
-    return std::max(simulation_.time() / until_,
-                    static_cast<double>(simulation_.steps()) / static_cast<double>(most_steps_));
-  }
-
-  void record() {
-    rows_.serve(simulation_.time(), simulation_.dt());
-    const Moment moment(simulation_);
-    series_.add(moment);
-    history_.add(simulation_, moment.energy);
-    last_recorded_ = simulation_.steps();
-  }
-
-  void write_frame() {
-    frames_.serve(simulation_.time(), simulation_.dt());
-    write_particles(folder_.frame(frame_count_++), simulation_);
+    return std::max((simulation_.time() - result_.first_time) / (until_ - result_.first_time),
+                    static_cast<double>(simulation_.steps() - result_.first_step) /
+                        static_cast<double>(most_steps_ - result_.first_step));
   }
 
   /// Keeps what was computed, whatever ended the run.
   void finish() {
-    if (last_recorded_ != simulation_.steps()) record();
-    series_.close();
+    outputs_.finish();
     result_.end = simulation_.energy();
-    result_.largest_error = history_.largest_error();
+    result_.largest_error = outputs_.history().largest_error();
     result_.warnings = options_.warnings;
     for (const auto& warning : simulation_.warnings()) result_.warnings.push_back(warning);
-    write_particles(folder_.file("final.csv"), simulation_);
-    write_pictures();
+    if (!outputs_.video_failure().empty()) result_.warnings.push_back(outputs_.video_failure());
+    write_particles(outputs_.folder().file("final.csv"), simulation_);
+    outputs_.write_pictures();
+    if (options_.save)
+      write_state(*options_.save, before_end_ ? *before_end_ : copy_state(stage_, simulation_));
     result_.wall_seconds = wall_seconds() - started_;
     const auto manifest = run_manifest(stage_, options_, simulation_, result_);
-    write_file(folder_.file("run.json"), manifest);
+    write_file(outputs_.folder().file("run.json"), manifest);
     if (options_.json) {
       print_result(manifest);
     } else if (!options_.quiet) {
-      print_result(summary(folder_.path(), simulation_, result_));
+      print_result(summary(outputs_.folder().path(), simulation_, result_));
     }
-  }
-
-  void write_pictures() {
-    Viewpoint viewpoint;
-    viewpoint.colour_by = simulation_.setup().colour_by;
-    const bool by_speed = viewpoint.colour_by == "speed" && !simulation_.setup().fluid;
-    if (by_speed && history_.largest_speed() > 0) viewpoint.range = {0, history_.largest_speed()};
-    const auto picture = describe(stage_.title, simulation_, viewpoint);
-    const auto curves = plots(history_, simulation_);
-    save_sheet(folder_.file("picture.png"), picture, curves);
-    if (options_.picture) save_sheet(*options_.picture, picture, curves);
   }
 
   const Stage& stage_;
   const Options& options_;
   Interrupt interrupt_;
   double started_ = wall_seconds();
-  Simulation simulation_;
+  std::unique_ptr<Simulation> owned_;
+  Simulation& simulation_;
   double until_;
   long most_steps_;
-  RunFolder folder_;
-  Cadence rows_, frames_;
-  Series series_;
-  History history_;
+  RunOutputs outputs_;
   RunResult result_;
-  long last_recorded_ = -1, frame_count_ = 0, steps_per_stretch_ = 1;
+  /// What --save keeps of a run that ended at --until: the last state that an uninterrupted run has, too.
+  std::optional<SavedState> before_end_;
+  long steps_per_stretch_ = 1;
 };
-
-void check_picture_folder(const Options& options) {
-  if (!options.picture) return;
-  const auto folder = options.picture->has_parent_path() ? options.picture->parent_path() : ".";
-  if (!std::filesystem::is_directory(folder)) refuse_file(words().cannot_write, *options.picture, ENOENT);
-}
 
 }  // namespace
 
 int run_headless(const Stage& stage, const Options& options) {
-  check_picture_folder(options);
+  check_files(options);
   return HeadlessRun(stage, options).run();
 }
 

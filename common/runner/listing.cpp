@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/runner/parameter_json.hpp"
+#include "common/runner/saved_state.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/simulation/simulation.hpp"
 #include "common/words.hpp"
@@ -159,8 +160,7 @@ std::string listing(const Stage& stage, const std::string& kind, const Options& 
 }
 
 std::string configuration(const Stage& stage, const Options& options) {
-  const Simulation simulation(stage.scene(options.scene.value), options.parameters, options.integrator.value,
-                              options.threads.value);
+  const auto simulation = start_simulation(stage, options);
   std::vector<std::vector<std::string>> rows;
   Json object = Json::object();
   for (const auto& line : settings(stage, options)) {
@@ -168,8 +168,8 @@ std::string configuration(const Stage& stage, const Options& options) {
     rows.push_back({line.name, text_of(line.value), line.unit.empty() ? "-" : line.unit,
                     std::string(name_of(line.origin))});
   }
-  object["parameters"] = parameters_json(simulation.parameters());
-  for (const auto& p : simulation.parameters().all())
+  object["parameters"] = parameters_json(simulation->parameters());
+  for (const auto& p : simulation->parameters().all())
     rows.push_back({p.name, p.text(), p.unit.empty() ? "-" : p.unit,
                     std::string(p.derived ? origin_of_results : name_of(p.origin))});
   return options.json ? object.dump(2) + "\n" : table(rows);

@@ -5,6 +5,7 @@
 #include <sys/utsname.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "common/particles/pack.hpp"
 
@@ -31,6 +32,23 @@ std::string processor() {
   }
   utsname machine{};
   return uname(&machine) == 0 ? machine.machine : "unknown";
+}
+
+std::uint64_t fingerprint(std::string_view bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325U;
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
+  return sum;
+}
+
+std::string program_fingerprint() {
+  static const std::string once = [] {
+    std::ifstream program("/proc/self/exe", std::ios::binary);
+    if (!program) return compiler();
+    std::ostringstream bytes;
+    bytes << program.rdbuf();
+    return fmt::format("{:016x}", fingerprint(bytes.view()));
+  }();
+  return once;
 }
 
 std::size_t peak_memory_bytes() {

@@ -9,8 +9,10 @@
 #include "common/runner/parameter_json.hpp"
 #include "common/runner/particle_table.hpp"
 #include "common/runner/result_json.hpp"
+#include "common/runner/saved_state.hpp"
 #include "common/runner/series.hpp"
 #include "common/runner/units.hpp"
+#include "common/runner/vtk_files.hpp"
 
 namespace clapotis {
 namespace {
@@ -23,21 +25,21 @@ Json or_null(const std::optional<T>& value) {
 }
 
 /// How often each law is timed alone: once where an evaluation takes long already.
-int repetitions(const Simulation& s) {
+int repetitions(const Simulation& s, long steps) {
   const auto& cost = s.cost();
-  const double per_step = (cost.neighbours + cost.forces) / static_cast<double>(std::max(1L, s.steps()));
+  const double per_step = (cost.neighbours + cost.forces) / static_cast<double>(std::max(1L, steps));
   return per_step > 0.05 ? 1 : 9;
 }
 
-Json cost_json(Simulation& s, bool is_over) {
+Json cost_json(Simulation& s, const RunResult& result) {
   const auto& c = s.cost();
   Json phases{
       {"neighbours", c.neighbours}, {"forces", c.forces}, {"integration", c.integration}, {"walls", c.walls}};
   if (s.setup().fluid) phases["density"] = c.density;
   Json laws = Json::object();
-  if (is_over) {
+  if (result.reason != StopReason::running) {
     const auto names = s.model().laws();
-    const auto seconds = s.model().law_seconds(s.system(), repetitions(s));
+    const auto seconds = s.model().law_seconds(s.system(), repetitions(s, s.steps() - result.first_step));
     for (std::size_t k = 0; k < names.size() && k < seconds.size(); ++k) laws[names[k]] = seconds[k];
   }
   return {{"phases", phases}, {"one_evaluation_of_each_law", laws}};
@@ -51,11 +53,9 @@ Json units_json(const Simulation& s) {
   }
   for (const auto& measure : s.setup().measures)
     series[measure.name] = with_length(measure.unit, s.scene().length_unit);
-  return {{"series.csv", series},
-          {"final.csv", particle_units(s)},
-          {"energy", energy_unit(s)},
-          {"cost", "s"},
-          {"particle_updates_per_second", "1/s of cpu_seconds"}};
+  return {{"series.csv", series}, {"final.csv", particle_units(s)},
+          {"vtk", vtk_units(s)},  {"energy", energy_unit(s)},
+          {"cost", "s"},          {"particle_updates_per_second", "1/s of cpu_seconds"}};
 }
 
 Json seed_json(const Parameters& parameters) {
@@ -63,8 +63,16 @@ Json seed_json(const Parameters& parameters) {
   return seed == nullptr ? Json(nullptr) : json_value(*seed);
 }
 
-double updates_per_second(const Simulation& s, double cpu_seconds) {
-  return static_cast<double>(s.particles().size()) * static_cast<double>(s.steps()) / cpu_seconds;
+double updates_per_second(const Simulation& s, const RunResult& result) {
+  return static_cast<double>(s.particles().size()) * static_cast<double>(s.steps() - result.first_step) /
+         result.cpu_seconds;
+}
+
+/// What the run went on from; null for one from the start.
+Json resumed_json(const Options& options) {
+  if (!options.resume) return nullptr;
+  const auto& saved = *options.resume;
+  return {{"file", saved.file.string()}, {"simulated_seconds", saved.time}, {"steps", saved.steps}};
 }
 
 }  // namespace
@@ -82,6 +90,7 @@ const std::vector<std::string>& result_keys() {
                                              "stop",
                                              "force_evaluations",
                                              "simulated_seconds",
+                                             "resumed_from",
                                              "wall_seconds",
                                              "cpu_seconds",
                                              "particle_updates_per_second",
@@ -101,7 +110,6 @@ const std::vector<std::string>& result_keys() {
 std::string version() { return "Clapotis " CLAPOTIS_VERSION; }
 
 std::string run_manifest(const Stage& stage, const Options& options, Simulation& s, const RunResult& result) {
-  const bool is_over = result.reason != StopReason::running;
   Json run;
   run["stage"] = stage.name;
   run["scene"] = s.scene().name;
@@ -116,14 +124,16 @@ std::string run_manifest(const Stage& stage, const Options& options, Simulation&
                  {"steps", options.steps ? Json(options.steps->value) : Json(nullptr)}};
   run["every"] = or_null(options.every);
   run["frames"] = or_null(options.frames);
+  run["vtk"] = or_null(options.vtk);
+  run["resumed_from"] = resumed_json(options);
   run["particles"] = s.particles().size();
   run["steps"] = s.steps();
   run["force_evaluations"] = s.system().force_evaluations;
   run["simulated_seconds"] = s.time();
   run["wall_seconds"] = result.wall_seconds;
   run["cpu_seconds"] = result.cpu_seconds;
-  run["particle_updates_per_second"] = or_null(updates_per_second(s, result.cpu_seconds));
-  run["cost"] = cost_json(s, is_over);
+  run["particle_updates_per_second"] = updates_per_second(s, result);
+  run["cost"] = cost_json(s, result);
   run["bytes_per_particle"] = s.bytes_per_particle();
   run["peak_memory_bytes"] = peak_memory_bytes();
   run["energy"] = {{"start", energy_json(result.start)}, {"end", energy_json(result.end)}};

@@ -20,6 +20,8 @@ struct RunResult {
   std::string divergence;   ///< the sentence, when it diverged
   double cpu_seconds = 0;   ///< of the time loop alone, all threads together
   double wall_seconds = 0;  ///< since the run began, output included
+  double first_time = 0;    ///< where it went on from, 0 for a run from the start [s]
+  long first_step = 0;
   Energy start, end;
   double largest_error = std::numeric_limits<double>::quiet_NaN();  ///< of the rows of the series
   std::vector<std::string> warnings;

@@ -8,6 +8,7 @@
 #include "common/runner/environment.hpp"
 #include "common/runner/listing.hpp"
 #include "common/runner/numbers.hpp"
+#include "common/runner/saved_state.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/simulation/simulation.hpp"
 #include "common/words.hpp"
@@ -42,6 +43,8 @@ void apply(Options& options, const Stage& stage, const std::string& name, const 
   if (name == "steps") options.steps = {option_count(name, text, step_range), origin};
   if (name == "every") options.every = option_number(name, text, positive);
   if (name == "frames") options.frames = option_number(name, text, positive);
+  if (name == "vtk") options.vtk = option_number(name, text, positive);
+  if (name == "video-every") options.video_every = option_number(name, text, positive);
   if (name == "scale") options.scale = option_number(name, text, a_scale, "");
   if (name == "seed") options.parameters.insert_or_assign("seed", Override{text, origin});
 }
@@ -63,6 +66,34 @@ void apply_file(Options& options, const Stage& stage, const std::string& file) {
     for (const auto& [name, text] : config.settings) apply(options, stage, name, text, Origin::file);
   });
   for (const auto& [name, given] : config.parameters) options.parameters.insert_or_assign(name, given);
+}
+
+/// What a saved run was is settled; the scene may be said again.
+void apply_state(Options& options, const Stage& stage, const Arguments& arguments, const std::string& file) {
+  const auto& given = arguments.settings;
+  if (given.contains("config")) refuse(words().resume_and_config);
+  if (file.empty()) refuse(words().empty_value, fmt::arg("option", "--resume"));
+  options.resume = std::make_shared<SavedState>(read_state(file, stage));
+  const auto& saved = *options.resume;
+  options.scene = {saved.scene, Origin::file};
+  options.integrator = {saved.integrator, Origin::file};
+  const auto scene = given.find("scene");
+  if (scene != given.end() && stage.scene(scene->second).name != saved.scene)
+    refuse(words().state_other_scene, fmt::arg("file", file), fmt::arg("other", saved.scene),
+           fmt::arg("scene", scene->second));
+}
+
+/// A run that has nothing to do is a mistake.
+void refuse_end_before_start(const Options& options) {
+  if (!options.resume || !options.headless) return;
+  const auto& saved = *options.resume;
+  const auto refuse_end = [&](std::string_view option) {
+    refuse(words().state_at_end, fmt::arg("file", saved.file.string()),
+           fmt::arg("time", fmt::format("{:.6g}", saved.time)), fmt::arg("steps", saved.steps),
+           fmt::arg("option", option));
+  };
+  if (options.until && options.until->value <= saved.time) refuse_end("--until");
+  if (options.steps && options.steps->value <= saved.steps) refuse_end("--steps");
 }
 
 void apply_set(Options& options, const std::vector<std::string>& assignments) {
@@ -92,8 +123,8 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 /// A variable that names nothing here is not an error, since the environment serves all scenes; but it is
 /// said.
 void apply_environment(Options& options, const Stage& stage) {
-  static const std::vector<std::string> settings{"integrator", "threads", "until",
-                                                 "steps",      "every",   "frames"};
+  static const std::vector<std::string> settings{"integrator", "threads", "until", "steps",
+                                                 "every",      "frames",  "vtk"};
   const auto variables = environment();
   if (variables.empty()) return;
   const auto given = [&](std::string_view name) {
@@ -151,6 +182,12 @@ void apply_files(Options& options, const Arguments& arguments) {
   };
   options.out = find("out");
   options.picture = find("picture");
+  options.save = find("save");
+  options.video = find("video");
+  if (options.video && options.video->extension() != ".mp4")
+    refuse(words().video_extension, fmt::arg("file", options.video->string()));
+  if (options.video_every && !options.video)
+    refuse(words().option_without, fmt::arg("option", "--video-every"), fmt::arg("other", "--video"));
   if (!options.picture) return;
   try {
     static_cast<void>(picture_format(*options.picture));
@@ -162,7 +199,7 @@ void apply_files(Options& options, const Arguments& arguments) {
 /// What leaves files makes no sense beside a window, and would be silently lost there.
 void refuse_without_headless(const Options& options, const Arguments& arguments) {
   if (options.headless) return;
-  for (const auto* name : {"out", "every", "frames", "picture"})
+  for (const auto* name : {"out", "every", "frames", "vtk", "picture", "video", "video-every", "save"})
     if (arguments.settings.contains(name))
       refuse(words().needs_headless, fmt::arg("option", fmt::format("--{}", name)));
   for (const auto* name : {"json", "force", "quiet"})
@@ -177,6 +214,8 @@ Options understand(const Stage& stage, const Arguments& arguments) {
   refuse_unknown(arguments, stage, options);
   if (const auto config = given.find("config"); config != given.end())
     apply_file(options, stage, config->second);
+  if (const auto state = given.find("resume"); state != given.end())
+    apply_state(options, stage, arguments, state->second);
   if (const auto scene = given.find("scene"); scene != given.end())
     apply(options, stage, "scene", scene->second, Origin::flag);
   apply_environment(options, stage);
@@ -191,6 +230,7 @@ Options understand(const Stage& stage, const Arguments& arguments) {
   options.json = arguments.flags.at("json");
   options.paused = arguments.flags.at("paused");
   options.force = arguments.flags.at("force");
+  refuse_end_before_start(options);
   return options;
 }
 

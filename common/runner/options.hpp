@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "common/simulation/scene.hpp"
 
 namespace clapotis {
+
+struct SavedState;
 
 /// A value and who gave it.
 template <class T>
@@ -31,7 +34,11 @@ struct Options {
   double scale = 0;                              ///< of the window's letters; 0: by the screen
   std::optional<std::filesystem::path> out;      ///< the run folder
   std::optional<std::filesystem::path> picture;  ///< an additional one: .png, .svg, .pdf
-  std::optional<double> every, frames;           ///< intervals of series.csv and of frames/ [s]
+  std::optional<double> every, frames, vtk;      ///< intervals of series.csv, of frames/ and of vtk/ [s]
+  std::optional<std::filesystem::path> video;    ///< .mp4
+  std::optional<double> video_every;             ///< simulated time between two of its frames [s]
+  std::optional<std::filesystem::path> save;     ///< where the state goes at the end
+  std::shared_ptr<const SavedState> resume;      ///< what to go on from
 
   std::vector<std::string> warnings;  ///< whole sentences
 };

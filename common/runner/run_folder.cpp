@@ -29,12 +29,19 @@ bool make_folder(const fs::path& folder) {
   return false;
 }
 
-/// 0042.csv or times.csv, whole or in part.
-bool is_frame(const fs::path& file) {
+/// 0042.csv, whole or in part.
+bool is_numbered(const fs::path& file, std::string_view extension) {
   const auto whole = file.extension() == ".part" ? file.stem() : file.filename();
   const auto name = whole.stem().string();
-  const bool is_number = std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-  return whole.extension() == ".csv" && (is_number || name == "times");
+  return whole.extension() == extension &&
+         std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+void remove_numbered(const fs::path& folder, std::string_view extension) {
+  if (!fs::is_directory(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_numbered(entry.path(), extension)) fs::remove(entry.path());
+  if (fs::is_empty(folder)) fs::remove(folder);
 }
 
 /// Removes what a run writes, and nothing that somebody else put there.
@@ -43,11 +50,8 @@ void remove_run(const fs::path& folder, FilesOfFolder files) {
     fs::remove(folder / name);
     fs::remove(part_of(folder / name));
   }
-  const auto frames = folder / "frames";
-  if (!fs::is_directory(frames)) return;
-  for (const auto& entry : fs::directory_iterator(frames))
-    if (is_frame(entry.path())) fs::remove(entry.path());
-  if (fs::is_empty(frames)) fs::remove(frames);
+  remove_numbered(folder / "frames", ".csv");
+  remove_numbered(folder / "vtk", ".vtu");
 }
 
 std::string local_date() {
@@ -84,12 +88,12 @@ RunFolder RunFolder::by_date(const std::string& name) {
   return RunFolder(folder);
 }
 
-fs::path RunFolder::frame(long number) const {
-  const auto frames = folder_ / "frames";
+fs::path RunFolder::numbered(std::string_view folder, long number, std::string_view extension) const {
+  const auto inner = folder_ / folder;
   std::error_code error;
-  fs::create_directory(frames, error);
-  if (error) refuse_file(words().cannot_write, frames, error.value());
-  return frames / fmt::format("{:04}.csv", number);
+  fs::create_directory(inner, error);
+  if (error) refuse_file(words().cannot_write, inner, error.value());
+  return inner / fmt::format("{:04}{}", number, extension);
 }
 
 }  // namespace clapotis

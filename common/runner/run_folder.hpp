@@ -9,10 +9,10 @@
 namespace clapotis {
 
 /// The files that one kind of folder holds; the first is the mark by which it is known. Beside them,
-/// frames/NNNN.csv.
+/// frames/NNNN.csv and vtk/NNNN.vtu.
 using FilesOfFolder = std::span<const std::string_view>;
-inline constexpr std::array<std::string_view, 4> files_of_run{"run.json", "series.csv", "final.csv",
-                                                              "picture.png"};
+inline constexpr std::array<std::string_view, 5> files_of_run{"run.json", "series.csv", "final.csv",
+                                                              "picture.png", "vtk.pvd"};
 inline constexpr std::array<std::string_view, 3> files_of_comparison{"compare.json", "compare.csv",
                                                                      "picture.png"};
 
@@ -28,8 +28,9 @@ class RunFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
   [[nodiscard]] std::filesystem::path file(std::string_view name) const { return folder_ / name; }
-  /// frames/0042.csv; makes the folder of the frames.
-  [[nodiscard]] std::filesystem::path frame(long number) const;
+  /// FOLDER/0042.EXTENSION; makes that folder.
+  [[nodiscard]] std::filesystem::path numbered(std::string_view folder, long number,
+                                               std::string_view extension) const;
 
  private:
   explicit RunFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}

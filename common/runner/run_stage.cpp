@@ -2,7 +2,7 @@
 
 #include "common/runner/exit_code.hpp"
 #include "common/runner/headless.hpp"
-#include "common/simulation/simulation.hpp"
+#include "common/runner/saved_state.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -10,8 +10,7 @@ namespace {
 
 /// Without a window nobody would see a bad parameter in time: it is refused before the display is looked for.
 void check_parameters(const Stage& stage, const Options& options) {
-  const Simulation simulation(stage.scene(options.scene.value), options.parameters, options.integrator.value,
-                              options.threads.value);
+  static_cast<void>(start_simulation(stage, options));
 }
 
 int open_window(const Stage& stage, const Options& options, std::string_view name, const WindowDoor& window) {

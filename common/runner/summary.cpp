@@ -63,13 +63,13 @@ std::string summary(const std::filesystem::path& folder, Simulation& s, const Ru
           fmt::arg("reason", reason_in_words(result.reason)), fmt::arg("time", short_number(s.time())),
           fmt::arg("steps", s.steps()), fmt::arg("integrator", s.integrator()),
           fmt::arg("dt", short_number(s.dt())), fmt::arg("particles", s.particles().size()));
-  if (s.steps() > 0 && result.cpu_seconds > 0) {
-    const auto steps = static_cast<double>(s.steps());
+  if (s.steps() > result.first_step && result.cpu_seconds > 0) {
+    const auto steps = static_cast<double>(s.steps() - result.first_step);
     const auto updates = steps * static_cast<double>(s.particles().size());
     text += say(w.summary_cost, fmt::arg("cpu", duration(result.cpu_seconds)),
                 fmt::arg("step", duration(result.cpu_seconds / steps)),
                 fmt::arg("rate", rate(updates / result.cpu_seconds)),
-                fmt::arg("speed", two_digits(s.time() / result.cpu_seconds)));
+                fmt::arg("speed", two_digits((s.time() - result.first_time) / result.cpu_seconds)));
   }
   text += energy_line(s, result);
   if (s.setup().reference) text += error_line(s, result);

@@ -10,6 +10,7 @@
 #include "common/simulation/fluid_arrangement.hpp"
 #include "common/simulation/law_set.hpp"
 #include "common/simulation/phase_timer.hpp"
+#include "common/simulation/state_bytes.hpp"
 
 namespace clapotis {
 
@@ -121,6 +122,13 @@ class FluidModel final : public Model {
     Vectors all(bare_walls_.rows() + places.rows(), 2);
     all << bare_walls_, places;
     walls_ = DummyWalls(all, fluid_, kernel_.support(), sorted_.period());
+  }
+  void pass_state(StateBytes& state) override {
+    auto obstacles = obstacles_;
+    state(obstacles);
+    if (state.reads() && obstacles.rows() > 0) put_obstacles(obstacles);
+    if (auto* mine = hand())
+      state(mine->touch.at.x, mine->touch.at.y, mine->touch.pull, mine->touch.shake.x, mine->touch.shake.y);
   }
   [[nodiscard]] bool has_open_ends() const override { return ends_.exist(); }
   [[nodiscard]] Column vorticity(const Particles& particles) override {

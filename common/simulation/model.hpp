@@ -15,6 +15,7 @@ struct System;
 struct DummyWalls;
 struct Hand;
 class Parameters;
+class StateBytes;
 
 /// The largest time step that something in the scene allows, and the share of it that `dt = auto` takes.
 struct StepLimit {
@@ -66,6 +67,9 @@ class Model {
   virtual void settle(System& system, double dt) = 0;
   /// Reads the parameters again, after one of them changed.
   virtual void refresh(Parameters& parameters) = 0;
+  /// Writes or reads what the next steps depend on besides particles and parameters. Most models remember
+  /// nothing.
+  virtual void pass_state(StateBytes& /*state*/) {}
 
   [[nodiscard]] virtual StoredEnergy stored_energy(const Particles& particles) = 0;
   [[nodiscard]] virtual std::vector<StepLimit> limits(const Particles& particles) const = 0;

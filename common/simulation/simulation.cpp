@@ -40,6 +40,7 @@ struct Simulation::Checkpoint {
 Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::string_view integrator,
                        int threads)
     : scene_(scene),
+      built_from_(overrides),
       parameters_(scene.length_unit, scene.defaults, overrides),
       setup_(scene.build(parameters_)) {
   parameters_.number(step_parameter);
@@ -95,13 +96,13 @@ void Simulation::bound_speed() {
 
 const StepLimit& Simulation::binding_limit() const { return binding(limits_); }
 
-void Simulation::set(std::string_view name, std::string_view value) {
+void Simulation::set(std::string_view name, std::string_view value, Origin origin) {
   const auto* known = parameters_.find(name);
   if (known != nullptr && known->change == Change::restart)
     throw BadInput(say(words().needs_restart, fmt::arg("name", name)));
   const auto before = parameters_;
   try {
-    parameters_.set(name, value, Origin::window);
+    parameters_.set(name, value, origin);
     setup_.model->refresh(parameters_);
     choose_step();
     bound_speed();
@@ -110,8 +111,7 @@ void Simulation::set(std::string_view name, std::string_view value) {
     setup_.model->refresh(parameters_);
     throw;
   }
-  if (name != step_parameter.name && name != cfl_parameter.name)
-    setup_.reference.reset();  // it was for other values
+  note_change(name, value, origin);
   system_->current = false;
   keep();
 }
@@ -131,7 +131,7 @@ void Simulation::edit(const std::function<void(System&)>& change) {
 
 void Simulation::step(double until) {
   const double left = until - time();
-  const double dt = left < dt_ * (1 + 1e-9) ? left : dt_;
+  const double dt = next_ends_at(until) ? left : dt_;
   if (dt <= 0) return;
   if (taken_.size() >= checkpoint_every) keep();
   taken_.push_back(dt);

@@ -9,6 +9,7 @@
 #include "common/integrators/integrator.hpp"
 #include "common/measures/energy.hpp"
 #include "common/simulation/scene.hpp"
+#include "common/simulation/state_bytes.hpp"
 
 namespace clapotis {
 
@@ -33,15 +34,23 @@ class Simulation {
 
   /// Changes a live parameter while the scene runs; throws BadInput, and changes nothing then. A parameter
   /// that needs a restart is changed by building a new Simulation from `parameters().overrides()`.
-  void set(std::string_view name, std::string_view value);
+  void set(std::string_view name, std::string_view value, Origin origin = Origin::window);
   void use_integrator(std::string_view name);
   /// Changes the state by hand, between two steps; `change` may add and remove particles and obstacles. The
   /// energy that it brings counts as negative dissipation, and there is no reference any more.
   void edit(const std::function<void(System&)>& change);
 
+  /// Writes all that the next steps depend on, or reads it: the run then goes on from there with the bits
+  /// that it would have had. Reading is for a simulation built from the same scene, `built_from` and
+  /// integrator, by the same program; it throws ForeignState otherwise, or BadInput, and is of no use then.
+  void pass_state(StateBytes& state);
+
   /// Calls `look` with accelerations that belong to the positions and velocities as they stand, without the
   /// walls' reaction; what follows is as if nobody had looked.
   void look(const std::function<void(const System&)>& look);
+
+  /// Whether the next step is the one that ends at `until`, altered so that it does.
+  [[nodiscard]] bool next_ends_at(double until) const { return until - time() < dt_ * (1 + 1e-9); }
 
   [[nodiscard]] double time() const { return system_->time; }
   [[nodiscard]] long steps() const { return steps_; }
@@ -65,6 +74,8 @@ class Simulation {
   [[nodiscard]] const Setup& setup() const { return setup_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+  /// What the user had asked for when the scene was built; live changes since then are not in it.
+  [[nodiscard]] const Overrides& built_from() const { return built_from_; }
   [[nodiscard]] const std::string& integrator() const { return integrator_name_; }
   [[nodiscard]] int threads() const { return particles().threads; }
   /// Memory of the columns and of the model, over the number of particles [byte].
@@ -84,8 +95,17 @@ class Simulation {
   void check(double dt);
   void keep();
   void go_back(long steps);
+  void note_change(std::string_view name, std::string_view value, Origin origin);
+  void pass_changes(StateBytes& state);
+
+  /// A live change since the scene was built.
+  struct LiveChange {
+    std::string name, value;
+    Origin origin = Origin::window;
+  };
 
   Scene scene_;
+  Overrides built_from_;
   Parameters parameters_;
   Setup setup_;
   std::unique_ptr<System> system_;
@@ -100,6 +120,7 @@ class Simulation {
   std::vector<double> taken_;  ///< the steps since the checkpoint [s]
   Cost cost_;
   std::vector<std::string> warnings_;
+  std::vector<LiveChange> changes_;  ///< the last of each parameter, in their order
 };
 
 }  // namespace clapotis

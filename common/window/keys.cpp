@@ -31,7 +31,7 @@ void select(WindowState& state, int direction) {
   state.sight.select_next(state.session.simulation(), direction);
 }
 
-constexpr std::array<Shortcut, 22> table{{
+constexpr std::array<Shortcut, 25> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
@@ -54,6 +54,9 @@ constexpr std::array<Shortcut, 22> table{{
     {Key::e, 0, "E", &W::does_plots, [](WindowState& s, bool) { s.sight.plots = !s.sight.plots; }},
     {Key::tab, 0, "Tab", &W::does_panel, [](WindowState& s, bool) { s.panel = !s.panel; }},
     {Key::home, 0, "Home", &W::does_view, [](WindowState& s, bool) { s.sight.show_whole_scene(); }},
+    {Key::f5, 0, "F5", &W::does_save, [](WindowState& s, bool) { s.save(); }},
+    {Key::f9, 0, "F9", &W::does_restore, [](WindowState& s, bool) { s.restore(); }},
+    {Key::f10, 0, "F10", &W::does_video, [](WindowState& s, bool) { s.toggle_video(); }},
     {Key::f12, 0, "F12", &W::does_picture, [](WindowState& s, bool) { s.picture_wanted = true; }},
     {Key::f1, 0, "F1", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
     {Key::h, 0, "H", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},

@@ -102,6 +102,20 @@ void lay_out_notice(WindowState& state, const Box& area, double elapsed) {
   end_box();
 }
 
+void lay_out_recording(const WindowState& state, const Box& area) {
+  if (!state.recorder.recording()) return;
+  begin_box("recording", area, 0.5F, 0.02F, ImGuiWindowFlags_NoInputs);
+  const auto seconds = fmt::format("{:.1f}", state.recorder.seconds());
+  const float side = ImGui::GetTextLineHeight();
+  const auto corner = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + side / 2, corner.y + side / 2}, 0.36F * side,
+                                              ImGui::GetColorU32(theme::vec(theme::warning)));
+  ImGui::Dummy({side, side});
+  ImGui::SameLine();
+  text(say(w().recording, fmt::arg("seconds", seconds)));
+  end_box();
+}
+
 void lay_out_help(WindowState& state, const Box& area) {
   if (!state.help) return;
   begin_box("help", area, 0.5F, 0.45F);

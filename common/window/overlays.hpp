@@ -11,6 +11,8 @@ namespace clapotis {
 void lay_out_divergence(WindowState& state, const Box& area, Controls& controls);
 /// The last sentence for the user, until its time is over.
 void lay_out_notice(WindowState& state, const Box& area, double elapsed);
+/// That a video is being made, and how long it is so far.
+void lay_out_recording(const WindowState& state, const Box& area);
 void lay_out_help(WindowState& state, const Box& area);
 
 }  // namespace clapotis

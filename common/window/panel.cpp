@@ -68,6 +68,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
   time_step(state);
   view(state);
   mouse(state);
+  record(state);
   cost(state);
   ImGui::End();
 }
@@ -233,6 +234,20 @@ void Panel::mouse(WindowState& state) {
     if (button(std::string("tool:") + tool_names[k], labels[k], width)) state.tool = static_cast<Tool>(k);
     if (chosen) ImGui::PopStyleColor();
   }
+}
+
+void Panel::record(WindowState& state) {
+  heading(w().record);
+  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+  if (button("picture", w().picture, width)) state.picture_wanted = true;
+  ImGui::SameLine();
+  if (button("video", state.recorder.recording() ? w().stop_video : w().video, width)) state.toggle_video();
+  ImGui::SameLine();
+  if (button("save", w().save, width)) state.save();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(state.recorder.saved().empty());
+  if (button("restore", w().restore, width)) state.restore();
+  ImGui::EndDisabled();
 }
 
 void Panel::cost(WindowState& state) {

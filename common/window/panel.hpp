@@ -25,6 +25,7 @@ class Panel {
   void time_step(WindowState& state);
   void view(WindowState& state);
   void mouse(WindowState& state);
+  void record(WindowState& state);
   void cost(WindowState& state);
   /// A list to choose from; the place of the one that was chosen now. `share` of the panel's width.
   std::optional<std::size_t> list(WindowState& state, const std::string& name, std::string_view label,

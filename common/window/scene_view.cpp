@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "common/runner/ink.hpp"
@@ -174,10 +173,7 @@ Box SceneView::domain() const {
 }
 
 std::string SceneView::save(const Session& session) const {
-  const auto stem = fmt::format("{}-{}-t{:.3f}s", session.stage().name, session.simulation().scene().name,
-                                session.simulation().time());
-  std::filesystem::path file = stem + ".png";
-  for (int k = 2; std::filesystem::exists(file); ++k) file = fmt::format("{}-{}.png", stem, k);
+  const auto file = free_name(session, ".png");
   save_sheet(file, picture_, plots_);
   return file.string();
 }

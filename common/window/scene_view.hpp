@@ -13,6 +13,9 @@ class SceneView {
 
   /// Writes what was painted last as a picture of its own and returns the file's name. Throws FileError.
   [[nodiscard]] std::string save(const Session& session) const;
+  /// What was painted last.
+  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] const std::vector<Plot>& curves() const { return plots_; }
   /// The part of the window that shows the scene's own piece of the plane.
   [[nodiscard]] Box domain() const;
   /// Where the world was painted last.

@@ -83,6 +83,12 @@ Key key_of(sf::Keyboard::Key code) {
       return Key::alt;
     case K::F1:
       return Key::f1;
+    case K::F5:
+      return Key::f5;
+    case K::F9:
+      return Key::f9;
+    case K::F10:
+      return Key::f10;
     case K::F12:
       return Key::f12;
     default:

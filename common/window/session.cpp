@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/runner/saved_state.hpp"
 #include "common/runner/stopwatch.hpp"
 
 namespace clapotis {
@@ -21,14 +22,18 @@ Session::Session(const Stage& stage, const Options& options)
     : stage_(stage), given_(options.parameters), threads_(options.threads.value), paused_(options.paused) {
   if (options.until && options.until->origin != Origin::law) until_ = options.until->value;
   if (options.steps) steps_until_ = options.steps->value;
-  const Scene& scene = stage.scene(options.scene.value);
-  start(static_cast<std::size_t>(&scene - stage.scenes.data()), given_, options.integrator.value);
+  play(start_simulation(stage, options));
+}
+
+void Session::start(std::size_t scene, const Overrides& overrides, const std::string& integrator) {
+  play(std::make_unique<Simulation>(stage_.scenes[scene], overrides, integrator, threads_));
 }
 
 /// Changes nothing before everything that can throw is done.
-void Session::start(std::size_t scene, const Overrides& overrides, const std::string& integrator) {
-  auto simulation = std::make_unique<Simulation>(stage_.scenes[scene], overrides, integrator, threads_);
-  if (!defaults_ || scene != scene_) defaults_ = defaults_of(stage_.scenes[scene]);
+void Session::play(std::unique_ptr<Simulation> simulation) {
+  const Scene& known = stage_.scene(simulation->scene().name);
+  const auto scene = static_cast<std::size_t>(&known - stage_.scenes.data());
+  if (!defaults_ || scene != scene_) defaults_ = defaults_of(known);
   simulation_ = std::move(simulation);
   scene_ = scene;
   history_.clear();
@@ -71,6 +76,8 @@ void Session::set(const std::string& parameter, const std::string& value) {
   changed.set(parameter, value, Origin::window);
   start(scene_, changed.overrides(), simulation_->integrator());
 }
+
+void Session::restore(const SavedState& saved) { play(resume_simulation(stage_, saved, threads_)); }
 
 void Session::restore_defaults() { start(scene_, {}, simulation_->integrator()); }
 

@@ -27,6 +27,8 @@ class Session {
   void choose_integrator(const std::string& name);  ///< goes on with it; from the start after a divergence
   void set(const std::string& parameter, const std::string& value);  ///< restarts the scene when it must
   void restore_defaults();  ///< of all parameters; restarts the scene
+  /// Goes on from a saved state of this stage. Throws FileError when it does not fit.
+  void restore(const SavedState& saved);
 
   /// What a frame does: the steps that are due after `elapsed` seconds, at least one of them, and no new one
   /// once `budget` seconds of work are spent.
@@ -57,6 +59,7 @@ class Session {
 
  private:
   void start(std::size_t scene, const Overrides& overrides, const std::string& integrator);
+  void play(std::unique_ptr<Simulation> simulation);
   bool step_once();
   bool reached_end() const;
 

@@ -27,6 +27,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["grid"] = on("grid", sight.viewpoint.grid);
   now["vectors"] = on("velocities", sight.vectors);
   now["plots"] = on("plots", sight.plots);
+  now["recording"] = on("recording", state.recorder.recording());
   now["panel"] = on("panel", state.panel);
   now["help"] = on("help", state.help);
   using enum StepLight::Colour;

@@ -71,6 +71,7 @@ class Window {
       watch_.look(state_, screen_.size(), trace_);
       trace_.flush();
     }
+    end_video();
     trace_.say("closed");
     return Interrupt::asked() ? exit_interrupted : exit_done;
   }
@@ -127,14 +128,25 @@ class Window {
     if (state_.panel) panel_.lay_out(state_, panel);
     state_.close_menu = false;
     lay_out_divergence(state_, view_.view().scene, controls_);
+    lay_out_recording(state_, view_.view().scene);
     lay_out_notice(state_, scene, elapsed);  // low, over the plots: water lies at the bottom of its scene
     lay_out_help(state_, scene);
     screen_.end_frame();
+    state_.attempt([&] { state_.recorder.shoot(state_.session, view_.picture(), view_.curves()); });
     if (std::exchange(state_.picture_wanted, false))
       state_.attempt([&] {
         const auto file = view_.save(state_.session);
         state_.notice = {say(words().window.picture_saved, fmt::arg("file", file)), false, 6};
       });
+  }
+
+  /// One that was being made when the window was closed is whole.
+  void end_video() {
+    try {
+      static_cast<void>(state_.recorder.end());
+    } catch (const FileError& failure) {
+      complain(state_.session.stage().name, failure.what());
+    }
   }
 
   void name_window(double elapsed) {

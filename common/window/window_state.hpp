@@ -6,6 +6,7 @@
 
 #include "common/simulation/errors.hpp"
 #include "common/window/cost_meter.hpp"
+#include "common/window/recorder.hpp"
 #include "common/window/session.hpp"
 #include "common/window/sight.hpp"
 
@@ -31,6 +32,7 @@ struct WindowState {
   Session session;
   Sight sight{};
   CostMeter cost{};
+  Recorder recorder{};
   Notice notice{};
   bool panel = true, help = false;
   bool picture_wanted = false, quit = false;
@@ -40,6 +42,10 @@ struct WindowState {
   double scale = 1;
   Tool tool = Tool::probe;
   std::optional<Point> mouse{};  ///< where it is in the window [pixel]
+
+  void save();          ///< the state, and says where
+  void restore();       ///< the state saved last
+  void toggle_video();  ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.
   template <class Action>

@@ -21,7 +21,9 @@ constexpr const char *out_name = "standard_output", *err_name = "standard_error"
 std::vector<std::string> environment_of(const Start& start) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry)
-    if (const std::string text = *entry; !text.starts_with("CLAPOTIS_")) all.push_back(text);
+    if (const std::string text = *entry;
+        !text.starts_with("CLAPOTIS_") && !start.environment.contains(text.substr(0, text.find('='))))
+      all.push_back(text);
   for (const auto& [name, value] : start.environment) all.push_back(name + '=' + value);
   return all;
 }

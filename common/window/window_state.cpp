@@ -1,0 +1,40 @@
+#include "common/window/window_state.hpp"
+
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+constexpr double notice_seconds = 6;
+
+std::string about_file(std::string_view sentence, const std::string& file) {
+  return say(sentence, fmt::arg("file", file));
+}
+
+}  // namespace
+
+void WindowState::save() {
+  attempt([&] {
+    notice = {about_file(words().window.state_saved, recorder.save(session)), false, notice_seconds};
+  });
+}
+
+void WindowState::restore() {
+  attempt([&] {
+    recorder.restore(session);
+    notice = {about_file(words().window.state_restored, recorder.saved().filename().string()), false,
+              notice_seconds};
+  });
+}
+
+void WindowState::toggle_video() {
+  attempt([&] {
+    if (!recorder.recording()) {
+      recorder.begin(session);
+    } else {
+      notice = {about_file(words().window.picture_saved, recorder.end()), false, notice_seconds};
+    }
+  });
+}
+
+}  // namespace clapotis
