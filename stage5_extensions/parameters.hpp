@@ -15,6 +15,11 @@ inline const stage4::Choices wendland_continuity{.kernel = choice("kernel", {"we
 inline const auto channel_depth = number("depth", "d", "L", 1e-3);
 inline const auto channel_length = number("length", "L", "L", 4e-4);
 inline const auto plate_speed = number("plate_speed", "U", "L/s", 1.25e-5, any_number);
+inline const auto viscous_step = choice("viscous_step", {"explicit", "implicit"});
 inline const auto wave_height = number("amplitude", "a", "L", 0.01, not_negative);
+inline const auto thread_width = number("thread_width", "d", "L", 4e-3);
+inline const auto thread_length = number("thread_length", "L", "L", 0.4);
+inline const auto thread_speed = number("thread_speed", "U", "L/s", 1);
+inline const auto fall_height = number("fall_height", "H", "L", 0.06);
 
 }  // namespace clapotis::stage5
