@@ -391,6 +391,11 @@ const std::map<std::string_view, std::string_view>& meanings() {
       {"slot_width", "width of the slot in the floor"},
       {"viscosity_form", "viscosity as printed, or Monaghan's"},
       {"signs", "sign of the pair's unit vector, as printed or consistent"},
+      {"viscous_step", "friction with the velocities before the step, or after it"},
+      {"viscous_tolerance", "residual of the implicit step, over the velocities"},
+      {"thread_width", "width of the thread"},
+      {"thread_length", "length of the thread"},
+      {"thread_speed", "speed of the thread at the start"},
       {"columns", "particles across the block"},
       {"lines", "particles up the block"},
   };

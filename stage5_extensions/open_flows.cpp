@@ -93,7 +93,7 @@ Setup jet(Parameters& p) {
 
 /// A viscous liquid flows down a bed under the part of its weight along it, even and steady, from an inlet to
 /// an outlet.
-Setup channel(Parameters& p) {
+Setup open_channel(Parameters& p) {
   const double depth = p.number(film_depth), nu = p.number(film_viscosity);
   const FilmFlow exact{depth, nu, DrivingForce::from(p).f};
   const double fastest = exact.velocity(depth), g = Gravity::from(p).g;

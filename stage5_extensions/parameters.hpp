@@ -23,6 +23,11 @@ inline const auto film_depth = number("depth", "d", "L", 0.01);
 inline const auto film_viscosity = number("nu", "nu", "L^2/s", 5e-4);
 inline const auto reach = number("length", "L", "L", 0.05);
 inline const auto slot_width = number("slot_width", "b", "L", 0.1);
+inline const auto viscous_step = choice("viscous_step", {"explicit", "implicit"});
 inline const auto wave_height = number("amplitude", "a", "L", 0.01, not_negative);
+inline const auto thread_width = number("thread_width", "d", "L", 4e-3);
+inline const auto thread_length = number("thread_length", "L", "L", 0.4);
+inline const auto thread_speed = number("thread_speed", "U", "L/s", 1);
+inline const auto fall_height = number("fall_height", "H", "L", 0.06);
 
 }  // namespace clapotis::stage5

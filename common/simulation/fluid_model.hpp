@@ -8,6 +8,7 @@
 #include "common/laws/open_ends.hpp"
 #include "common/neighbours/packs_near.hpp"
 #include "common/simulation/fluid_arrangement.hpp"
+#include "common/simulation/implicit_step.hpp"
 #include "common/simulation/law_set.hpp"
 #include "common/simulation/phase_timer.hpp"
 #include "common/simulation/state_bytes.hpp"
@@ -77,6 +78,7 @@ class FluidModel final : public Model {
   }
 
   void settle(System& s, double dt) override {
+    (act_implicitly<Laws>(s, dt), ...);
     laws_.settle(s, dt);
     sorted_.period().wrap(s.position);
     if (ends_.exist())
@@ -153,6 +155,8 @@ class FluidModel final : public Model {
     return sorted_.count_pairs();
   }
   [[nodiscard]] bool has_pairs() const override { return true; }
+  /// Of the law that acts implicitly, in the last step.
+  [[nodiscard]] const Solved& solved() const requires(ActsImplicitly<Laws> || ...) { return solved_; }
   [[nodiscard]] std::size_t bytes() const override { return sorted_.bytes() + walls_.bytes(); }
 
  private:
@@ -328,6 +332,33 @@ class FluidModel final : public Model {
     });
   }
 
+  /// What an implicit law does to the velocities that a step has led to, and the energy it takes out of them.
+  /// The forces of the other laws must not depend on velocities: those that an integrator keeps for its next
+  /// step would not belong to the new ones.
+  template <class L>
+  void act_implicitly(System& s, double dt) {
+    if constexpr (ActsImplicitly<L>) {
+      static_assert(!(takes_energy<Laws> || ...),
+                    "Beside an implicit law no explicit one may depend on the velocities of pairs.");
+      {
+        const PhaseTimer timer(timed, seconds.neighbours);
+        sorted_.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
+      }
+      const PhaseTimer timer(timed, seconds.forces);
+      const auto& law = laws_.template get<L>();
+      const double before = kinetic_energy(s.particles);
+      const FrictionSweep sweep(law, kernel_, sorted_, walls_, dt / fluid_.mass, s.particles.threads);
+      solved_ = solve_implicitly(sweep, s.velocity, law.tolerance, s.particles.threads);
+      s.dissipated_energy += before - kinetic_energy(s.particles);
+    }
+  }
+  static double kinetic_energy(const Particles& p) {
+    return sum_over(p.size(), threads_for_little(p.size(), p.threads), [&](Index i, std::size_t) {
+      const Vector v = row(p.velocity, i);
+      return p.mass(i) / 2 * dot(v, v);
+    });
+  }
+
   static constexpr double nowhere = 1e-130;  ///< distance that `one_point` becomes [L]
 
   struct Outcome {
@@ -377,6 +408,11 @@ class FluidModel final : public Model {
     return {i.volume * total, i.volume * lost, at_one_point};
   }
 
+  template <class L>
+  static constexpr bool takes_energy = requires {
+    requires L::dissipates;
+  };
+
   // One law in a sum; None where it has no such hook.
   template <class L>
   static auto stress(const L& law, const auto& i, const auto& j, const Meeting& ij) {
@@ -409,7 +445,7 @@ class FluidModel final : public Model {
   /// What the pair's forces do to its motion, for the laws that take energy out of it.
   template <class L>
   static auto loss(const L& law, const auto& i, const auto& j, const Meeting& ij, const Vec<Pack>& v) {
-    if constexpr (!requires { requires L::dissipates; })
+    if constexpr (!takes_energy<L>)
       return None{};
     else if constexpr (ActsByStress<L>)
       return Pack(law.stress(i, j, ij) * ij.approach);
@@ -435,6 +471,7 @@ class FluidModel final : public Model {
   Vector gravity_{0, 0};                        ///< [L/s^2]
   double diffusion_ = 0;                        ///< 2 delta h c [L^2/s]
   std::atomic<long long> met_at_one_point_ = 0;
+  [[no_unique_address]] std::conditional_t<(ActsImplicitly<Laws> || ...), Solved, None> solved_;
 };
 
 }  // namespace clapotis

@@ -153,7 +153,7 @@ void Simulation::advance(double dt) {
   if (!s.current) s.evaluate(s.time);
   s.current = true;
   integrator_->step(s, dt);
-  const double integrated = model.timed ? seconds_since(start) : 0;
+  const double integrated = model.timed ? seconds_since(start) - model.seconds.total() : 0;
   model.settle(s, dt);
   s.current = integrator_->leaves_acceleration();
   if (dt != clock_.dt) clock_ = {s.time, dt, 0};
@@ -164,8 +164,8 @@ void Simulation::advance(double dt) {
     cost_.neighbours += timed_every * model.seconds.neighbours;
     cost_.density += timed_every * model.seconds.density;
     cost_.forces += timed_every * model.seconds.forces;
-    cost_.integration += timed_every * (integrated - model.seconds.total());
-    cost_.walls += timed_every * (settled - integrated + model.seconds.walls);
+    cost_.integration += timed_every * integrated;
+    cost_.walls += timed_every * (settled - integrated - model.seconds.total() + model.seconds.walls);
     model.seconds = {};
     model.timed = false;  // what comes between two steps does not count
   }
