@@ -48,14 +48,15 @@ struct Words {
       help_compare, help_side, help_compare_steps, help_compare_every, help_compare_out, help_compare_json;
   // runner: help
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
-      help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
-      help_frames, help_vtk, help_picture, help_video, help_video_every, help_save, help_resume, help_list,
-      help_json, help_quiet, help_paused, help_scale, help_version, help_help, help_epilogue;
+      help_print_config, help_preset, help_colour_by, help_integrator, help_seed, help_threads, help_out,
+      help_force, help_every, help_frames, help_vtk, help_picture, help_video, help_video_every, help_save,
+      help_resume, help_list, help_json, help_quiet, help_paused, help_scale, help_version, help_help,
+      help_epilogue;
 
   // window: its own table, so that its many short words need no prefix
   struct Window {
     // the buttons and the rows of the panel
-    std::string_view run, pause, step, reset, speed, slower_than_asked, scene, seed, integrator, live,
+    std::string_view run, pause, step, reset, speed, slower_than_asked, scene, preset, seed, integrator, live,
         restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
         beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
         real_time, record, picture, video, stop_video, save, restore, recording, pairs_near, pairs_tested,

@@ -3,8 +3,13 @@
 namespace clapotis::stage5 {
 namespace {
 
-Scene in_metres(std::string name, Setup (*build)(Parameters&), Defaults defaults) {
-  return {.name = std::move(name), .length_unit = "m", .defaults = std::move(defaults), .build = build};
+Scene in_metres(std::string name, Setup (*build)(Parameters&), Defaults defaults,
+                std::vector<Preset> presets = {}) {
+  return {.name = std::move(name),
+          .length_unit = "m",
+          .defaults = std::move(defaults),
+          .build = build,
+          .presets = std::move(presets)};
 }
 
 /// The one, and where both have an entry, that of the other.
@@ -24,10 +29,16 @@ Stage stage() {
       .name = "stage5_extensions",
       .title = "Stage 5 - extensions",
       .scenes = {
-          in_metres("sloshing", sloshing,
-                    with({{"tank_height", "0.8"}, {"depth", "0.5"}, {"amplitude", "0.01"}}, small_waves)),
-          in_metres("standing_wave", standing_wave, with({{"tank_height", "1.3"}}, small_waves)),
-          in_metres("jet", jet, {{"spacing", "0.005"}, {"h_over_dx", "2"}}),
+          in_metres(
+              "sloshing", sloshing,
+              with({{"tank_height", "0.8"}, {"depth", "0.5"}, {"amplitude", "0.01"}}, small_waves),
+              {{"resonance", {{"period", "1.18"}, {"amplitude", "0.02"}}},
+               {"shallow", {{"depth", "0.1"}, {"period", "2"}, {"amplitude", "0.03"}, {"spacing", "0.01"}}}}),
+          in_metres("standing_wave", standing_wave, with({{"tank_height", "1.3"}}, small_waves),
+                    {{"oil", {{"nu", "0.03"}}}, {"high", {{"amplitude", "0.1"}}}}),
+          in_metres("jet", jet, {{"spacing", "0.005"}, {"h_over_dx", "2"}},
+                    {{"coarse", {{"spacing", "0.01"}}},
+                     {"narrow", {{"jet_width", "0.05"}, {"spacing", "0.0025"}}}}),
           in_metres("channel", open_channel,
                     {{"spacing", "5e-4"}, {"slip", "no"}, {"driving", "1"}, {"h_over_dx", "2"}}),
           in_metres("draining", draining,
@@ -44,7 +55,8 @@ Stage stage() {
                      {"tank_height", "0.01"},
                      {"disturbance", "0.01"}}),
           in_metres("sandbox", sandbox,
-                    {{"spacing", "0.02"}, {"tank_width", "2.4"}, {"tank_height", "1.4"}, {"depth", "0.5"}})}};
+                    {{"spacing", "0.02"}, {"tank_width", "2.4"}, {"tank_height", "1.4"}, {"depth", "0.5"}},
+                    {{"moon", {{"gravity", "1.62"}}}, {"thick", {{"alpha", "0.5"}}}})}};
 }
 
 }  // namespace clapotis::stage5

@@ -6,6 +6,7 @@
 #include "common/laws/dummy_walls.hpp"
 #include "common/runner/ticks.hpp"
 #include "common/runner/units.hpp"
+#include "common/simulation/errors.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -142,6 +143,14 @@ std::vector<std::string> colourings(const Simulation& simulation) {
     if (std::find(names.begin(), names.end(), column.name) == names.end()) names.emplace_back(column.name);
   names.emplace_back("plain");
   return names;
+}
+
+std::string colouring(const Simulation& simulation, const std::optional<std::string>& wanted) {
+  if (!wanted) return simulation.setup().colour_by;
+  const auto known = colourings(simulation);
+  if (std::find(known.begin(), known.end(), *wanted) == known.end())
+    throw BadInput(unknown_name("quantity", *wanted, known));
+  return *wanted;
 }
 
 std::string symbol(std::string_view column) {

@@ -104,6 +104,25 @@ std::string name_listing(const std::vector<std::string>& names, bool as_array) {
   return text;
 }
 
+/// The presets of the scenes and their values; empty if there are none.
+std::string preset_listing(const std::vector<const Scene*>& scenes, bool as_object) {
+  Json object = Json::object();
+  std::vector<std::vector<std::string>> rows;
+  for (const auto* scene : scenes) {
+    if (scene->presets.empty()) continue;
+    rows.push_back({scene->name});
+    for (const auto& [name, values] : scene->presets) {
+      std::string text;
+      for (const auto& [parameter, value] : values)
+        text += (text.empty() ? "" : " ") + parameter + "=" + value;
+      rows.push_back({"  " + name, text});
+      object[scene->name][name] = values;
+    }
+  }
+  if (rows.empty()) return {};
+  return as_object ? object.dump(2) + "\n" : table(rows);
+}
+
 /// The kernels that scenes of the stage can have; none where nothing is smoothed.
 std::vector<std::string> kernels_of(const Stage& stage) {
   std::vector<std::string> names;
@@ -152,6 +171,10 @@ std::string listing(const Stage& stage, const std::string& kind, const Options& 
   }
   if (kind == "scenes") return name_listing(names, options.json);
   if (kind == "parameters") return parameter_listing(scenes, options.json);
+  if (const auto presets = preset_listing(scenes, options.json); !presets.empty()) {
+    if (kind == "presets") return presets;
+    kinds.emplace_back("presets");
+  }
   if (const auto kernels = kernels_of(stage); !kernels.empty()) {
     if (kind == "kernels") return name_listing(kernels, options.json);
     kinds.emplace_back("kernels");

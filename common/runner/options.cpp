@@ -96,6 +96,11 @@ void refuse_end_before_start(const Options& options) {
   if (options.steps && options.steps->value <= saved.steps) refuse_end("--steps");
 }
 
+void apply_preset(Options& options, const Stage& stage, const std::string& name) {
+  for (const auto& [parameter, value] : stage.scene(options.scene.value).preset(name, Origin::flag))
+    options.parameters.insert_or_assign(parameter, value);
+}
+
 void apply_set(Options& options, const std::vector<std::string>& assignments) {
   for (const auto& assignment : assignments) {
     const auto equals = assignment.find('=');
@@ -221,7 +226,11 @@ Options understand(const Stage& stage, const Arguments& arguments) {
   apply_environment(options, stage);
   forget_stop(options, given.contains("until"), given.contains("steps"));
   for (const auto& [name, text] : given) apply(options, stage, name, text, Origin::flag);
+  if (const auto preset = given.find("preset"); preset != given.end())
+    apply_preset(options, stage, preset->second);
   apply_set(options, arguments.set);
+  if (const auto quantity = given.find("colour-by"); quantity != given.end())
+    options.colour_by = quantity->second;
   if (given.contains("seed")) refuse_seed_without_chance(options, stage);
   if (!options.until && !options.steps) options.until = {default_until, Origin::law};
   apply_files(options, arguments);

@@ -52,6 +52,12 @@ struct Setup {
   std::string colour_by = "speed";     ///< what pictures of the scene show first: see `colourings`
 };
 
+/// A set of values that shows something about a scene, by name, in place of its own defaults.
+struct Preset {
+  std::string name;
+  Defaults values;
+};
+
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all
 /// call it.
 struct Scene {
@@ -59,6 +65,10 @@ struct Scene {
   std::string length_unit;  ///< "px" or "m"
   Defaults defaults;        ///< where they differ from those of the laws
   std::function<Setup(Parameters&)> build;
+  std::vector<Preset> presets = {};
+
+  /// Its values, as given by `origin`; throws BadInput with the nearest name.
+  [[nodiscard]] Overrides preset(std::string_view wanted, Origin origin) const;
 };
 
 /// A stage of the course: a program of its own.

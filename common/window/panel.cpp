@@ -149,6 +149,11 @@ void Panel::scene(WindowState& state) {
   for (const auto& scene : session.stage().scenes) names.push_back(scene.name);
   if (const auto k = list(state, "scene", w().scene, names, names[session.scene()]))
     state.attempt([&] { session.choose_scene(*k); });
+  names.clear();
+  for (const auto& preset : session.simulation().scene().presets) names.push_back(preset.name);
+  if (!names.empty())
+    if (const auto k = list(state, "preset", w().preset, names, session.preset()))
+      state.attempt([&] { session.choose_preset(names[*k]); });
   const auto integrator = session.simulation().integrator();
   if (const auto k = list(state, "integrator", w().integrator, integrator_names(), integrator))
     state.attempt([&] { session.choose_integrator(integrator_names()[*k]); });

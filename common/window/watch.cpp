@@ -17,6 +17,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   std::map<std::string, std::string> now;
   now["start"] = fmt::format("started {}", session.starts());
   now["scene"] = "scene " + simulation.scene().name;
+  now["preset"] = "preset " + (session.preset().empty() ? std::string("none") : session.preset());
   now["integrator"] = "integrator " + simulation.integrator();
   now["speed"] = fmt::format("speed {:.4g}", session.speed());
   now["pause"] = session.paused() ? "paused" : "running";

@@ -46,6 +46,8 @@ class Window {
   Window(const Stage& stage, const Options& options)
       : state_{.session = Session(stage, options)}, screen_(title(state_.session), 1280, 720, options.scale) {
     state_.scale = screen_.scale();
+    look_at_scene();
+    state_.sight.colour_by(colouring(state_.session.simulation(), options.colour_by));
     trace_.say(fmt::format("window open {}", screen_.handle()));
   }
 
@@ -97,16 +99,20 @@ class Window {
     }
   }
 
+  void look_at_scene() {
+    const auto& session = state_.session;
+    scene_ = session.scene();
+    state_.sight.look_at_other_scene(session.simulation());
+    state_.tool = has_hand(session.simulation()) ? Tool::pull : Tool::probe;
+  }
+
   /// What concerns the look and the notices when a scene starts anew, or warns.
   void notice_changes() {
     const auto& session = state_.session;
     if (session.starts() != starts_) {
       starts_ = session.starts();
       warnings_ = 0;
-      if (std::exchange(scene_, session.scene()) != session.scene()) {
-        state_.sight.look_at_other_scene(session.simulation());
-        state_.tool = has_hand(session.simulation()) ? Tool::pull : Tool::probe;
-      }
+      if (scene_ != session.scene()) look_at_scene();
     }
     const auto warnings = session.simulation().warnings();
     if (warnings.size() > warnings_) state_.notice = {warnings.back(), true, 10};
