@@ -14,4 +14,9 @@ const Scene& Stage::scene(std::string_view wanted) const& {
   throw BadInput(unknown_name("scene", wanted, names));
 }
 
+Matter Stage::matter() const {
+  Parameters p(scenes.front().length_unit, scenes.front().defaults, {});
+  return scenes.front().build(p).matter();
+}
+
 }  // namespace clapotis

@@ -63,6 +63,7 @@ class Simulation {
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const std::string& integrator() const { return integrator_name_; }
+  [[nodiscard]] bool controls_error() const { return integrator_->controls_error(); }
   [[nodiscard]] int threads() const { return particles().threads; }
   /// Memory of the columns and of the model, over the number of particles [byte].
   [[nodiscard]] double bytes_per_particle() const;

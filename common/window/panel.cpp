@@ -145,8 +145,9 @@ void Panel::scene(WindowState& state) {
   if (const auto k = list(state, "scene", w().scene, names, names[session.scene()]))
     state.attempt([&] { session.choose_scene(*k); });
   const auto integrator = session.simulation().integrator();
-  if (const auto k = list(state, "integrator", w().integrator, integrator_names(), integrator))
-    state.attempt([&] { session.choose_integrator(integrator_names()[*k]); });
+  const auto& integrators = integrator_names(session.simulation().setup().matter());
+  if (const auto k = list(state, "integrator", w().integrator, integrators, integrator))
+    state.attempt([&] { session.choose_integrator(integrators[*k]); });
   const float whole = ImGui::GetContentRegionAvail().x;
   rows_.steppers(state, controls_, ImGui::GetCursorPosX() + label_width * whole, (1 - label_width) * whole);
 }
