@@ -15,6 +15,8 @@ inline const stage4::Choices wendland_continuity{.kernel = choice("kernel", {"we
 inline const auto channel_depth = number("depth", "d", "L", 1e-3);
 inline const auto channel_length = number("length", "L", "L", 4e-4);
 inline const auto plate_speed = number("plate_speed", "U", "L/s", 1.25e-5, any_number);
+inline const auto probe_x = number("probe_x", "x_p", "L", 0);
+inline const auto probe_y = number("probe_y", "y_p", "L", 0);
 inline const auto wave_height = number("amplitude", "a", "L", 0.01, not_negative);
 
 }  // namespace clapotis::stage5
