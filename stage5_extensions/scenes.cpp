@@ -19,6 +19,8 @@ Defaults with(Defaults more, const Defaults& common) {
 }
 
 const Defaults small_waves{{"h_over_dx", "2"}, {"tank_width", "1"}, {"spacing", "0.02"}, {"alpha", "0"}};
+const Defaults moved_tank{{"h_over_dx", "2.5"}, {"tank_width", "1"},   {"tank_height", "0.8"},
+                          {"depth", "0.5"},     {"spacing", "0.0125"}, {"alpha", "0"}};
 // Morris, Fox & Zhu 1997: water in a gap of one millimetre.
 const Defaults gap{{"tension", "yes"}, {"slip", "no"}, {"nu", "1e-6"}, {"spacing", "2e-5"}};
 
@@ -30,10 +32,10 @@ Stage stage() {
       .title = "Stage 5 - extensions",
       .scenes = {
           in_metres(
-              "sloshing", sloshing,
-              with({{"tank_height", "0.8"}, {"depth", "0.5"}, {"amplitude", "0.01"}}, small_waves),
+              "sloshing", sloshing, with({{"amplitude", "0.005"}}, moved_tank),
               {{"resonance", {{"period", "1.18"}, {"amplitude", "0.02"}}},
                {"shallow", {{"depth", "0.1"}, {"period", "2"}, {"amplitude", "0.03"}, {"spacing", "0.01"}}}}),
+          in_metres("rolling", sloshing, with({{"angle", "1"}}, moved_tank)),
           in_metres("standing_wave", standing_wave, with({{"tank_height", "1.3"}}, small_waves),
                     {{"oil", {{"nu", "0.03"}}}, {"high", {{"amplitude", "0.1"}}}}),
           in_metres("jet", jet, {{"spacing", "0.005"}, {"h_over_dx", "2"}},

@@ -59,6 +59,7 @@ Json as_json(const Parameter& p) {
     entry["low_excluded"] = p.range.low_excluded;
     entry["high"] = bound(p.range.high);
     entry["integer"] = p.integer;
+    entry["list"] = p.list;
   } else {
     entry["choices"] = p.choices;
   }
@@ -67,8 +68,7 @@ Json as_json(const Parameter& p) {
 
 std::vector<std::string> as_row(const Parameter& p) {
   const auto unit = p.unit.empty() ? "-" : p.unit;
-  const auto allowed =
-      p.choices.empty() ? p.range.text() + (p.automatic ? std::string(words().or_auto) : "") : p.allowed();
+  const auto allowed = p.choices.empty() ? p.range.text() + p.form() : p.allowed();
   return {"  " + p.name,
           p.symbol,
           unit,
@@ -162,7 +162,7 @@ std::string text_of(const Json& value) {
 
 std::string listing(const Stage& stage, const std::string& kind, const Options& options) {
   std::vector<std::string> kinds{"scenes", "parameters", "integrators"};
-  if (kind == "integrators") return name_listing(integrator_names(), options.json);
+  if (kind == "integrators") return name_listing(integrator_names(stage.matter()), options.json);
   std::vector<std::string> names;
   std::vector<const Scene*> scenes;
   for (const auto& scene : stage.scenes) {

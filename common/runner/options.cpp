@@ -28,8 +28,8 @@ std::string hint(std::string_view word, const std::vector<std::string>& names) {
   return near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
 }
 
-std::string checked_integrator(const std::string& name) {
-  static_cast<void>(make_integrator(name));
+std::string checked_integrator(const Stage& stage, const std::string& name) {
+  static_cast<void>(make_integrator(name, stage.matter()));
   return name;
 }
 
@@ -37,7 +37,7 @@ std::string checked_integrator(const std::string& name) {
 void apply(Options& options, const Stage& stage, const std::string& name, const std::string& text,
            Origin origin) {
   if (name == "scene") options.scene = {stage.scene(text).name, origin};
-  if (name == "integrator") options.integrator = {checked_integrator(text), origin};
+  if (name == "integrator") options.integrator = {checked_integrator(stage, text), origin};
   if (name == "threads") options.threads = {static_cast<int>(option_count(name, text, thread_range)), origin};
   if (name == "until") options.until = {option_number(name, text, not_negative), origin};
   if (name == "steps") options.steps = {option_count(name, text, step_range), origin};

@@ -26,4 +26,9 @@ Overrides Scene::preset(std::string_view wanted, Origin origin) const {
   throw BadInput(unknown_name("preset", wanted, names));
 }
 
+Matter Stage::matter() const {
+  Parameters p(scenes.front().length_unit, scenes.front().defaults, {});
+  return scenes.front().build(p).matter();
+}
+
 }  // namespace clapotis

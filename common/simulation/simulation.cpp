@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/integrators/bogacki_shampine.hpp"
 #include "common/integrators/located_impacts.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/simulation/time_step.hpp"
@@ -45,6 +46,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
       setup_(scene.build(parameters_)) {
   parameters_.number(step_parameter);
   parameters_.number(cfl_parameter);
+  if (setup_.matter() == Matter::particles) parameters_.number(tolerance_parameter);
   parameters_.reject_unknown();
   if (threads < 1) throw BadInput(say(words().threads_out_of_range, fmt::arg("value", threads)));
   setup_.particles.threads = threads;
@@ -56,7 +58,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   }
   choose_step();
   bound_speed();
-  if (const auto* broken = broken_limit(dt_, limits_))
+  if (const auto* broken = broken_limit(dt_, limits_); broken != nullptr && !integrator_->controls_error())
     warnings_.push_back(about(words().beyond_limit, dt_, *broken));
   keep();
 }
@@ -64,10 +66,11 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
 Simulation::~Simulation() = default;
 
 void Simulation::use_integrator(std::string_view name) {
-  auto scheme = make_integrator(name);
+  auto scheme = make_integrator(name, setup_.matter());
   integrator_.reset();
   integrator_ = setup_.locate_impacts ? std::make_unique<LocatedImpacts>(std::move(scheme), *system_)
                                       : std::move(scheme);
+  integrator_->read(parameters_);
   integrator_name_ = name;
   system_->current = false;
   if (checkpoint_) keep();
@@ -104,11 +107,13 @@ void Simulation::set(std::string_view name, std::string_view value, Origin origi
   try {
     parameters_.set(name, value, origin);
     setup_.model->refresh(parameters_);
+    integrator_->read(parameters_);
     choose_step();
     bound_speed();
   } catch (...) {
     parameters_ = before;
     setup_.model->refresh(parameters_);
+    integrator_->read(parameters_);
     throw;
   }
   note_change(name, value, origin);

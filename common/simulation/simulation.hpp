@@ -77,6 +77,7 @@ class Simulation {
   /// What the user had asked for when the scene was built; live changes since then are not in it.
   [[nodiscard]] const Overrides& built_from() const { return built_from_; }
   [[nodiscard]] const std::string& integrator() const { return integrator_name_; }
+  [[nodiscard]] bool controls_error() const { return integrator_->controls_error(); }
   [[nodiscard]] int threads() const { return particles().threads; }
   /// Memory of the columns and of the model, over the number of particles [byte].
   [[nodiscard]] double bytes_per_particle() const;

@@ -79,7 +79,7 @@ void lay_out_divergence(WindowState& state, const Box& area, Controls& controls)
   ImGui::AlignTextToFramePadding();
   text(w().try_another);
   std::string other;
-  for (const auto& name : integrator_names()) {
+  for (const auto& name : integrator_names(state.session.simulation().setup().matter())) {
     if (name == state.session.simulation().integrator()) continue;
     if (ImGui::GetItemRectMax().x + ImGui::CalcTextSize(name.c_str()).x + 3 * ImGui::GetFrameHeight() <
         ImGui::GetWindowPos().x + text_room(area, state.scale))

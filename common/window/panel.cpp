@@ -155,8 +155,9 @@ void Panel::scene(WindowState& state) {
     if (const auto k = list(state, "preset", w().preset, names, session.preset()))
       state.attempt([&] { session.choose_preset(names[*k]); });
   const auto integrator = session.simulation().integrator();
-  if (const auto k = list(state, "integrator", w().integrator, integrator_names(), integrator))
-    state.attempt([&] { session.choose_integrator(integrator_names()[*k]); });
+  const auto& integrators = integrator_names(session.simulation().setup().matter());
+  if (const auto k = list(state, "integrator", w().integrator, integrators, integrator))
+    state.attempt([&] { session.choose_integrator(integrators[*k]); });
   const float whole = ImGui::GetContentRegionAvail().x;
   rows_.steppers(state, controls_, ImGui::GetCursorPosX() + label_width * whole, (1 - label_width) * whole);
 }
