@@ -76,6 +76,7 @@ constexpr Words english{
     .config_key_twice = "{file}: {key} is given twice",
     .config_not_json = "{file}, line {line}: this is not JSON: {reason}",
     .config_other_stage = "{file} is of {other}, and this program is {stage}",
+    .config_resumed = "{file} is of a run that went on from a saved state; this one begins at the start",
     .video_extension = "--video {file}: the name must end in .mp4",
     .option_without = "{option} has no meaning without {other}",
     .state_no_state = "{file} is not a saved state: --resume takes what --save, or F5 in the window, wrote",
@@ -92,10 +93,12 @@ constexpr Words english{
         "{file} was saved by {other}, and this is {own}, which need not give the same bits: resume it with "
         "that version, or run from the start",
     .state_other_width =
-        "{file} was saved by a program with vectors of {other}, and this one has vectors of {own}, which give "
+        "{file} was saved by a program with vectors of {other}, and this one has vectors of {own}, which "
+        "give "
         "other bits: resume it with a build for that processor, or run from the start",
     .state_other_build =
-        "{file} was saved by another build of this program, which need not give the same bits: resume it with "
+        "{file} was saved by another build of this program, which need not give the same bits: resume it "
+        "with "
         "that build, or run from the start",
     .state_other_scene =
         "{file} is of scene {other}, not of {scene}: leave the scene out, or run {scene} without --resume",
@@ -133,6 +136,7 @@ constexpr Words english{
     .summary_energy =
         "  energy    mechanical {start} to {end} {unit}; total drifts by {drift} of its start\n",
     .summary_error = "  error     {measure} = {error}{unit} at the end, {largest} at most ({reference})\n",
+    .summary_saved = "  saved     {file}: step {step}, t = {time} s, from which --resume goes on\n",
     .summary_warning = "  warning   {warning}\n",
     .stopped_done = "done",
     .stopped_interrupted = "interrupted",
@@ -262,7 +266,6 @@ constexpr Words english{
             .particles = "N = {count}",
             .step_cost = "{time} per step",
             .real_time = "x{factor} real time",
-            .record = "Record",
             .picture = "picture",
             .video = "video",
             .stop_video = "stop",

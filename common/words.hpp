@@ -24,7 +24,7 @@ struct Words {
   std::string_view unknown_option, option_is_parameter, option_needs_value, option_takes_no_value,
       one_scene_at_a_time, set_without_equals, empty_value, no_seed, environment_ignored, needs_headless,
       picture_extension, config_unknown_key, config_wrong_kind, config_no_value, config_key_twice,
-      config_not_json, config_other_stage, video_extension, option_without;
+      config_not_json, config_other_stage, config_resumed, video_extension, option_without;
   // runner: saved states
   std::string_view state_no_state, state_other_format, state_cut_short, state_damaged, state_other_version,
       state_other_width, state_other_build, state_other_scene, state_contradiction, state_at_end,
@@ -35,8 +35,8 @@ struct Words {
   std::string_view cannot_read, cannot_write, folder_exists, not_a_folder, not_a_run_folder, no_display,
       interrupted, no_memory, own_fault;
   // runner: what a run prints
-  std::string_view progress, summary_run, summary_cost, summary_energy, summary_error, summary_warning,
-      stopped_done, stopped_interrupted, stopped_diverged;
+  std::string_view progress, summary_run, summary_cost, summary_energy, summary_error, summary_saved,
+      summary_warning, stopped_done, stopped_interrupted, stopped_diverged;
   // runner: tables, plots, pictures
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
       column_meaning, plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total,
@@ -49,8 +49,8 @@ struct Words {
   // runner: help
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
       help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
-      help_frames, help_vtk, help_picture, help_video, help_video_every, help_save, help_resume, help_list, help_json, help_quiet, help_paused, help_scale, help_version,
-      help_help, help_epilogue;
+      help_frames, help_vtk, help_picture, help_video, help_video_every, help_save, help_resume, help_list,
+      help_json, help_quiet, help_paused, help_scale, help_version, help_help, help_epilogue;
 
   // window: its own table, so that its many short words need no prefix
   struct Window {
@@ -58,7 +58,8 @@ struct Words {
     std::string_view run, pause, step, reset, speed, slower_than_asked, scene, seed, integrator, live,
         restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
         beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
-        real_time, record, picture, video, stop_video, save, restore, recording, pairs_near, pairs_tested, frames, frame_cost;
+        real_time, picture, video, stop_video, save, restore, recording, pairs_near, pairs_tested, frames,
+        frame_cost;
     // what is painted over the scene
     std::string_view particle, position, velocity, speed_of_particle, acceleration, tested, near,
         velocity_scale, diverged, try_another;
@@ -67,8 +68,8 @@ struct Words {
     // the help
     std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag, key_control_click,
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
-        does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video, does_picture, does_help, does_quit,
-        does_select, does_zoom, does_pan, does_type;
+        does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video,
+        does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type;
   } window;
 };
 

@@ -136,9 +136,9 @@ void read_seed(const Reader& reader, const Json& seed, ConfigFile& config) {
 }  // namespace
 
 ConfigFile read_config(const std::filesystem::path& file) {
-  static const std::vector<std::string> inputs{"stage",      "scene", "integrator", "seed",  "threads",
-                                               "parameters", "until", "steps",      "every", "frames",
-                                               "vtk"};
+  static const std::vector<std::string> inputs{"stage",   "scene",      "integrator", "seed",
+                                               "threads", "parameters", "until",      "steps",
+                                               "every",   "frames",     "vtk"};
   const Reader reader{file};
   const auto json = parse(reader, read_text(file));
   reader.require_object(json, file.filename().string());
@@ -159,6 +159,7 @@ ConfigFile read_config(const std::filesystem::path& file) {
     }
   }
   if (is_a_run) read_stop(reader, json, config);
+  config.of_resumed_run = is_a_run && json.contains("resumed_from") && !json["resumed_from"].is_null();
   return config;
 }
 

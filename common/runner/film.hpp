@@ -15,8 +15,8 @@ namespace clapotis {
 /// A run as a video of 1280 x 720: the sheet of picture.png, at equal steps of simulated time.
 class Film {
  public:
-  /// What becomes of the range of colours of each picture. `one_for_all` takes one that serves the whole film:
-  /// pictures wait until the end, or until there are many of them, before they are painted.
+  /// What becomes of the range of colours of each picture. `one_for_all` takes one that serves the whole
+  /// film: pictures wait until the end, or until there are many of them, before they are painted.
   enum class Colours { as_given, one_for_all };
 
   /// `interval` is the simulated time between two frames, from `start` on [s]. Throws FileError as VideoFile

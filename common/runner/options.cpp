@@ -65,6 +65,7 @@ void apply_file(Options& options, const Stage& stage, const std::string& file) {
   from_place(file, [&] {
     for (const auto& [name, text] : config.settings) apply(options, stage, name, text, Origin::file);
   });
+  if (config.of_resumed_run) options.warnings.push_back(say(words().config_resumed, fmt::arg("file", file)));
   for (const auto& [name, given] : config.parameters) options.parameters.insert_or_assign(name, given);
 }
 
@@ -123,8 +124,8 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 /// A variable that names nothing here is not an error, since the environment serves all scenes; but it is
 /// said.
 void apply_environment(Options& options, const Stage& stage) {
-  static const std::vector<std::string> settings{"integrator", "threads", "until",
-                                                 "steps",      "every",   "frames", "vtk"};
+  static const std::vector<std::string> settings{"integrator", "threads", "until", "steps",
+                                                 "every",      "frames",  "vtk"};
   const auto variables = environment();
   if (variables.empty()) return;
   const auto given = [&](std::string_view name) {

@@ -37,8 +37,8 @@ RunOutputs::RunOutputs(const Stage& stage, const Options& options, Simulation& s
       vtk_times_(options.vtk.value_or(0)),
       series_(folder_.file("series.csv"), simulation) {
   if (options.video)
-    film_.emplace(*options.video, simulation.time(), options.video_every.value_or(usual_film_interval(length)),
-                  Film::Colours::one_for_all);
+    film_.emplace(*options.video, simulation.time(),
+                  options.video_every.value_or(usual_film_interval(length)), Film::Colours::one_for_all);
   record();
   if (options_.frames) write_frame();
   if (options_.vtk) write_vtk();
@@ -88,9 +88,8 @@ void RunOutputs::write_vtk() {
 }
 
 void RunOutputs::shoot() {
-  with_film([&] {
-    film_->add(picture(true), plots(history_, simulation_), simulation_.time(), simulation_.dt());
-  });
+  with_film(
+      [&] { film_->add(picture(true), plots(history_, simulation_), simulation_.time(), simulation_.dt()); });
 }
 
 template <class Act>

@@ -114,7 +114,8 @@ struct StateReader {
 };
 
 /// A value that is given besides a state: equal to that of the run, or a change that it allows.
-void apply_change(Simulation& simulation, const fs::path& state, const std::string& name, const Override& given) {
+void apply_change(Simulation& simulation, const fs::path& state, const std::string& name,
+                  const Override& given) {
   const auto* known = simulation.parameters().find(name);
   from_place(given.place, [&] {
     if (known != nullptr && !known->derived) {
@@ -170,7 +171,9 @@ SavedState read_state(const fs::path& file, const Stage& stage) {
     saved.steps = json.at("steps").get<long>();
     for (const auto& given : json.at("parameters"))
       saved.parameters[given.at("name").get<std::string>()] = {
-          given.at("value").get<std::string>(), static_cast<Origin>(given.at("origin").get<int>()), {},
+          given.at("value").get<std::string>(),
+          static_cast<Origin>(given.at("origin").get<int>()),
+          {},
           given.at("unit").get<std::string>()};
   } catch (const Json::exception&) {
     reader.refuse(words().state_damaged);
@@ -199,7 +202,8 @@ std::unique_ptr<Simulation> start_simulation(const Stage& stage, const Options& 
   auto simulation = resume_simulation(stage, *options.resume, options.threads.value);
   if (options.integrator.value != simulation->integrator())
     simulation->use_integrator(options.integrator.value);
-  for (const auto& [name, given] : options.parameters) apply_change(*simulation, options.resume->file, name, given);
+  for (const auto& [name, given] : options.parameters)
+    apply_change(*simulation, options.resume->file, name, given);
   return simulation;
 }
 

@@ -15,16 +15,16 @@ struct SavedState {
   Overrides parameters;  ///< that the scene was built from; live changes since then are in `bytes`
   double time = 0;       ///< [s]
   long steps = 0;
-  std::string bytes;               ///< see Simulation::pass_state
+  std::string bytes;                ///< see Simulation::pass_state
   std::filesystem::path file = {};  ///< that it was read from
 };
 
 /// A copy of the run as it stands.
 SavedState copy_state(const Stage& stage, Simulation& simulation);
 
-/// The file: a line `Clapotis state FORMAT HEADER_BYTES STATE_BYTES`; the header, JSON (version, build, vector
-/// width, stage, scene, integrator, parameters, time, steps); the bytes; the sum of all before it, FNV-1a of 64
-/// bits. Throws FileError.
+/// The file: a line `Clapotis state FORMAT HEADER_BYTES STATE_BYTES`; the header, JSON (version, build,
+/// vector width, stage, scene, integrator, parameters, time, steps); the bytes; the sum of all before it,
+/// FNV-1a of 64 bits. Throws FileError.
 void write_state(const std::filesystem::path& file, const SavedState& saved);
 
 /// Throws FileError when the file cannot be read, is no state, cut short or damaged, or when another build,

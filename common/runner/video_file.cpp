@@ -171,8 +171,7 @@ void VideoFile::add(std::span<const unsigned char> pixels) {
 void VideoFile::finish() {
   if (encoder_ < 0) return;
   if (const int code = end_encoder(); code != 0) fail(say(words().encoder_ended, fmt::arg("code", code)));
-  if (std::rename(part_of(file_).c_str(), file_.c_str()) != 0)
-    fail(std::generic_category().message(errno));
+  if (std::rename(part_of(file_).c_str(), file_.c_str()) != 0) fail(std::generic_category().message(errno));
   close(said_);
 }
 

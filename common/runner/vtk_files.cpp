@@ -58,16 +58,16 @@ void write_array(AtomicFile& file, std::string_view name, int components, const 
                          type_of<T>, escaped(name), components));
   file.write(base64(bytes));
   if (!unit.empty())  // behind the numbers, which VTK looks for at once
-    file.write(fmt::format("\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>",
-                           escaped(unit)));
+    file.write(
+        fmt::format("\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>",
+                    escaped(unit)));
   file.write("\n</DataArray>\n");
 }
 
 /// VTK knows three components only.
 std::vector<double> triples(const Vectors& vectors, Index walls) {
   std::vector<double> all;
-  for (Index i = 0; i < vectors.rows(); ++i)
-    all.insert(all.end(), {vectors(i, 0), vectors(i, 1), 0.0});
+  for (Index i = 0; i < vectors.rows(); ++i) all.insert(all.end(), {vectors(i, 0), vectors(i, 1), 0.0});
   all.resize(static_cast<std::size_t>(3 * (vectors.rows() + walls)), 0);
   return all;
 }
@@ -159,8 +159,8 @@ std::map<std::string, std::string> vtk_units(const Simulation& simulation) {
 void VtkFiles::add(Simulation& simulation) {
   const auto file = folder_.numbered("vtk", count_++, ".vtu");
   write_vtu(file, simulation);
-  entries_ += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"vtk/{}\"/>\n", to_text(simulation.time()),
-                          file.filename().string());
+  entries_ += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"vtk/{}\"/>\n",
+                          to_text(simulation.time()), file.filename().string());
   if (wall_seconds() - last_list_ > seconds_between_lists) close();
 }
 

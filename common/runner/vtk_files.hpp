@@ -10,9 +10,9 @@
 namespace clapotis {
 
 /// Writes the particles as they stand as VTK's unstructured grid (.vtu): one vertex each, those of the walls
-/// behind the others, all arrays in base64 at full precision. The arrays are `id`, `kind` (0 a particle, 1 one
-/// of a wall), `velocity`, `acceleration`, then the columns of the scene as in final.csv; each carries its
-/// unit (VTK's UNITS_LABEL), and the file its time (TimeValue).
+/// behind the others, all arrays in base64 at full precision. The arrays are `id`, `kind` (0 a particle, 1
+/// one of a wall), `velocity`, `acceleration`, then the columns of the scene as in final.csv; each carries
+/// its unit (VTK's UNITS_LABEL), and the file its time (TimeValue).
 void write_vtu(const std::filesystem::path& file, Simulation& simulation);
 
 /// The unit of each array.

@@ -42,10 +42,8 @@ class StateBytes {
 
  private:
   template <class Number>
-    requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
-  void pass(Number& number) {
-    raw(&number, sizeof number);
-  }
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+  void pass(Number& number) { raw(&number, sizeof number); }
   template <class Array>
   void pass(Eigen::PlainObjectBase<Array>& array) {
     using Scalar = typename Array::Scalar;

@@ -214,8 +214,9 @@ void Panel::view(WindowState& state) {
   tick("plots", w().plots, sight.plots);
 }
 
+/// Low, so that the whole panel of a cloud is seen in a window of 720 rows.
 void Panel::record(WindowState& state) {
-  heading(w().record);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
   if (button("picture", w().picture, width)) state.picture_wanted = true;
   ImGui::SameLine();
@@ -226,6 +227,7 @@ void Panel::record(WindowState& state) {
   ImGui::BeginDisabled(state.recorder.saved().empty());
   if (button("restore", w().restore, width)) state.restore();
   ImGui::EndDisabled();
+  ImGui::PopStyleVar();
 }
 
 void Panel::cost(WindowState& state) {

@@ -26,7 +26,8 @@ class Recorder {
   /// FileError, as where there is no ffmpeg.
   void begin(const Session& session);
   [[nodiscard]] bool recording() const { return film_.has_value(); }
-  /// Adds what the window shows when a frame of it is due. Throws FileError when the video had to be given up.
+  /// Adds what the window shows when a frame of it is due. Throws FileError when the video had to be given
+  /// up.
   void shoot(const Session& session, const Picture& picture, const std::vector<Plot>& plots);
   /// Ends the video and returns its name. Throws FileError.
   std::string end();

@@ -14,7 +14,9 @@ std::string about_file(std::string_view sentence, const std::string& file) {
 }  // namespace
 
 void WindowState::save() {
-  attempt([&] { notice = {about_file(words().window.state_saved, recorder.save(session)), false, notice_seconds}; });
+  attempt([&] {
+    notice = {about_file(words().window.state_saved, recorder.save(session)), false, notice_seconds};
+  });
 }
 
 void WindowState::restore() {
