@@ -26,7 +26,7 @@ struct Words {
   std::string_view unknown_option, option_is_parameter, option_needs_value, option_takes_no_value,
       one_scene_at_a_time, set_without_equals, empty_value, no_seed, environment_ignored, needs_headless,
       picture_extension, config_unknown_key, config_wrong_kind, config_no_value, config_key_twice,
-      config_not_json, config_other_stage, video_extension, option_without;
+      config_not_json, config_other_stage, config_resumed, video_extension, option_without;
   // runner: saved states
   std::string_view state_no_state, state_other_format, state_cut_short, state_damaged, state_other_version,
       state_other_width, state_other_build, state_other_scene, state_contradiction, state_at_end,
@@ -37,8 +37,8 @@ struct Words {
   std::string_view cannot_read, cannot_write, folder_exists, not_a_folder, not_a_run_folder, no_display,
       interrupted, no_memory, own_fault;
   // runner: what a run prints
-  std::string_view progress, summary_run, summary_cost, summary_energy, summary_error, summary_warning,
-      stopped_done, stopped_interrupted, stopped_diverged;
+  std::string_view progress, summary_run, summary_cost, summary_energy, summary_error, summary_saved,
+      summary_warning, stopped_done, stopped_interrupted, stopped_diverged;
   // runner: tables, plots, pictures
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
       column_meaning, plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total,
@@ -61,8 +61,8 @@ struct Words {
     std::string_view run, pause, step, reset, speed, slower_than_asked, scene, preset, seed, integrator, live,
         restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
         beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
-        real_time, record, picture, video, stop_video, save, restore, recording, pairs_near, pairs_tested,
-        frames, frame_cost;
+        real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
+        pairs_tested, frames, frame_cost;
     // what is painted over the scene
     std::string_view particle, position, velocity, speed_of_particle, acceleration, tested, near,
         velocity_scale, diverged, try_another;

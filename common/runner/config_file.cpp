@@ -170,6 +170,7 @@ ConfigFile read_config(const std::filesystem::path& file) {
     }
   }
   if (is_a_run) read_stop(reader, json, config);
+  config.of_resumed_run = is_a_run && json.contains("resumed_from") && !json["resumed_from"].is_null();
   return config;
 }
 

@@ -14,6 +14,7 @@ struct ConfigFile {
   std::map<std::string, std::string, std::less<>>
       settings;  ///< stage, scene, integrator, threads, until, ...
   Overrides parameters;
+  bool of_resumed_run = false;  ///< which began at a saved state
 };
 
 /// Throws FileError when it cannot be read, and BadInput, naming the file and the line or key, when it is not

@@ -53,7 +53,7 @@ class HeadlessRun {
       throw;
     }
     finish();
-    if (!outputs_.video_failure().empty()) throw FileError(outputs_.video_failure());
+    if (!failure_.empty()) throw FileError(failure_);
     return result_.reason == StopReason::interrupted ? exit_interrupted : exit_done;
   }
 
@@ -111,11 +111,10 @@ class HeadlessRun {
     result_.largest_error = outputs_.history().largest_error();
     result_.warnings = options_.warnings;
     for (const auto& warning : simulation_.warnings()) result_.warnings.push_back(warning);
-    if (!outputs_.video_failure().empty()) result_.warnings.push_back(outputs_.video_failure());
+    if (!outputs_.video_failure().empty()) note_failure(outputs_.video_failure());
     write_particles(outputs_.folder().file("final.csv"), simulation_);
     outputs_.write_pictures();
-    if (options_.save)
-      write_state(*options_.save, before_end_ ? *before_end_ : copy_state(stage_, simulation_));
+    save();
     result_.wall_seconds = wall_seconds() - started_;
     const auto manifest = run_manifest(stage_, options_, simulation_, result_);
     write_file(outputs_.folder().file("run.json"), manifest);
@@ -124,6 +123,23 @@ class HeadlessRun {
     } else if (!options_.quiet) {
       print_result(summary(outputs_.folder().path(), simulation_, result_));
     }
+  }
+
+  void save() {
+    if (!options_.save) return;
+    const auto state = before_end_ ? *std::move(before_end_) : copy_state(stage_, simulation_);
+    try {
+      write_state(*options_.save, state);
+      result_.saved = {options_.save->string(), state.time, state.steps};
+    } catch (const FileError& error) {
+      note_failure(error.what());
+    }
+  }
+
+  /// What could not be written although the rest can: said when all else is kept.
+  void note_failure(const std::string& sentence) {
+    failure_ = sentence;
+    result_.warnings.push_back(sentence);
   }
 
   const Stage& stage_;
@@ -138,6 +154,7 @@ class HeadlessRun {
   RunResult result_;
   /// What --save keeps of a run that ended at --until: the last state that an uninterrupted run has, too.
   std::optional<SavedState> before_end_;
+  std::string failure_;
   long steps_per_stretch_ = 1;
 };
 

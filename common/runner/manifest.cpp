@@ -68,11 +68,10 @@ double updates_per_second(const Simulation& s, const RunResult& result) {
          result.cpu_seconds;
 }
 
-/// What the run went on from; null for one from the start.
-Json resumed_json(const Options& options) {
-  if (!options.resume) return nullptr;
-  const auto& saved = *options.resume;
-  return {{"file", saved.file.string()}, {"simulated_seconds", saved.time}, {"steps", saved.steps}};
+/// A state, by its file and its instant; null where there is none.
+Json state_json(const std::string& file, double time, long steps) {
+  if (file.empty()) return nullptr;
+  return {{"file", file}, {"simulated_seconds", time}, {"steps", steps}};
 }
 
 }  // namespace
@@ -91,6 +90,7 @@ const std::vector<std::string>& result_keys() {
                                              "force_evaluations",
                                              "simulated_seconds",
                                              "resumed_from",
+                                             "saved",
                                              "wall_seconds",
                                              "cpu_seconds",
                                              "particle_updates_per_second",
@@ -125,7 +125,10 @@ std::string run_manifest(const Stage& stage, const Options& options, Simulation&
   run["every"] = or_null(options.every);
   run["frames"] = or_null(options.frames);
   run["vtk"] = or_null(options.vtk);
-  run["resumed_from"] = resumed_json(options);
+  run["resumed_from"] =
+      options.resume ? state_json(options.resume->file.string(), options.resume->time, options.resume->steps)
+                     : Json(nullptr);
+  run["saved"] = state_json(result.saved.file, result.saved.time, result.saved.steps);
   run["particles"] = s.particles().size();
   run["steps"] = s.steps();
   run["force_evaluations"] = s.system().force_evaluations;

@@ -25,6 +25,13 @@ struct RunResult {
   Energy start, end;
   double largest_error = std::numeric_limits<double>::quiet_NaN();  ///< of the rows of the series
   std::vector<std::string> warnings;
+
+  /// The state that --save left; no name: none.
+  struct Saved {
+    std::string file;
+    double time = 0;  ///< [s]
+    long steps = 0;
+  } saved;
 };
 
 /// The text of run.json: what was run, so that it can be run again, and what it came to.

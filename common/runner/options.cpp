@@ -65,6 +65,7 @@ void apply_file(Options& options, const Stage& stage, const std::string& file) {
   from_place(file, [&] {
     for (const auto& [name, text] : config.settings) apply(options, stage, name, text, Origin::file);
   });
+  if (config.of_resumed_run) options.warnings.push_back(say(words().config_resumed, fmt::arg("file", file)));
   for (const auto& [name, given] : config.parameters) options.parameters.insert_or_assign(name, given);
 }
 

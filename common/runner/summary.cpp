@@ -73,6 +73,9 @@ std::string summary(const std::filesystem::path& folder, Simulation& s, const Ru
   }
   text += energy_line(s, result);
   if (s.setup().reference) text += error_line(s, result);
+  if (!result.saved.file.empty())
+    text += say(w.summary_saved, fmt::arg("file", result.saved.file),
+                fmt::arg("time", short_number(result.saved.time)), fmt::arg("step", result.saved.steps));
   for (const auto& warning : result.warnings) text += say(w.summary_warning, fmt::arg("warning", warning));
   return text;
 }

@@ -104,7 +104,7 @@ void lay_out_notice(WindowState& state, const Box& area, double elapsed) {
 
 void lay_out_recording(const WindowState& state, const Box& area) {
   if (!state.recorder.recording()) return;
-  begin_box("recording", area, 0.5F, 0.02F, ImGuiWindowFlags_NoInputs);
+  begin_box("recording", area, 0.5F, 0, ImGuiWindowFlags_NoInputs);
   const auto seconds = fmt::format("{:.1f}", state.recorder.seconds());
   const float side = ImGui::GetTextLineHeight();
   const auto corner = ImGui::GetCursorScreenPos();

@@ -242,18 +242,31 @@ void Panel::mouse(WindowState& state) {
   }
 }
 
+/// Low, so that the whole panel of a cloud is seen in a window of 720 rows.
 void Panel::record(WindowState& state) {
-  heading(w().record);
-  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
-  if (button("picture", w().picture, width)) state.picture_wanted = true;
-  ImGui::SameLine();
-  if (button("video", state.recorder.recording() ? w().stop_video : w().video, width)) state.toggle_video();
-  ImGui::SameLine();
-  if (button("save", w().save, width)) state.save();
-  ImGui::SameLine();
-  ImGui::BeginDisabled(state.recorder.saved().empty());
-  if (button("restore", w().restore, width)) state.restore();
-  ImGui::EndDisabled();
+  const float gap = ImGui::GetStyle().ItemSpacing.x, whole = ImGui::GetContentRegionAvail().x;
+  const std::array labels{w().picture, state.recorder.recording() ? w().stop_video : w().video,
+                          w().table,   w().grid_file,
+                          w().save,    w().restore};
+  constexpr std::array names{"picture", "video", "table", "grid_file", "save", "restore"};
+  float letters = 0;
+  for (const auto label : labels) letters += ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+  const float margins = (whole - letters) / static_cast<float>(labels.size()) - gap;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::max(margins / 2, 2.0F), 0});
+  const std::array acts{+[](WindowState& s) { s.picture_wanted = true; },
+                        +[](WindowState& s) { s.toggle_video(); },
+                        +[](WindowState& s) { s.write_table(); },
+                        +[](WindowState& s) { s.write_grid(); },
+                        +[](WindowState& s) { s.save(); },
+                        +[](WindowState& s) { s.restore(); }};
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (k > 0) ImGui::SameLine();
+    const bool nothing_saved = k + 1 == labels.size() && state.recorder.saved().empty();
+    ImGui::BeginDisabled(nothing_saved);
+    if (button(names[k], labels[k], 0)) acts[k](state);
+    ImGui::EndDisabled();
+  }
+  ImGui::PopStyleVar();
 }
 
 void Panel::cost(WindowState& state) {

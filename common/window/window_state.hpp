@@ -45,6 +45,8 @@ struct WindowState {
 
   void save();          ///< the state, and says where
   void restore();       ///< the state saved last
+  void write_table();   ///< of all particles as they stand, and says where
+  void write_grid();    ///< the same for ParaView
   void toggle_video();  ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.

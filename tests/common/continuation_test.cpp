@@ -21,8 +21,8 @@
 
 using namespace clapotis;
 using namespace clapotis::tests;
-using clapotis::testing::Scratch;
 using Catch::Matchers::ContainsSubstring;
+using clapotis::testing::Scratch;
 using Json = nlohmann::json;
 
 namespace {
@@ -182,8 +182,9 @@ TEST_CASE("a resumed run that diverges stands on the same last good state", "[co
 TEST_CASE("a file that was cut short or damaged anywhere is refused, and says what to do", "[continuation]") {
   const StateFile file;
   REQUIRE(file.refusal(file.bytes) == "not refused");
-  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, file.bytes.find('\n') - 2,
-                                   file.bytes.find('\n') + 40, file.bytes.size() / 2, file.bytes.size() - 1}) {
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{7}, file.bytes.find('\n') - 2, file.bytes.find('\n') + 40,
+        file.bytes.size() / 2, file.bytes.size() - 1}) {
     CAPTURE(length);
     CHECK_THAT(file.refusal(file.bytes.substr(0, length)),
                ContainsSubstring("run.state") && !ContainsSubstring("not refused"));
@@ -200,8 +201,7 @@ TEST_CASE("a file that was cut short or damaged anywhere is refused, and says wh
   }
 }
 
-TEST_CASE("a state of another format, version, vector width or build is refused by name",
-          "[continuation]") {
+TEST_CASE("a state of another format, version, vector width or build is refused by name", "[continuation]") {
   const StateFile file;
   REQUIRE(file.refusal(file.with("stage", "stage1_bouncing")) == "not refused");
   auto format = file.bytes;

@@ -21,8 +21,9 @@ Ended headless(const Scratch& scratch, const std::string& program, std::vector<s
 
 /// A bouncing disc saved after 100 steps.
 void save_drop(const Scratch& scratch) {
-  require_done(headless(scratch, stage1, {"drop", "--steps", "100", "--set", "drag=0.2", "--save", "drop.state",
-                                          "--out", "first"}));
+  require_done(
+      headless(scratch, stage1,
+               {"drop", "--steps", "100", "--set", "drag=0.2", "--save", "drop.state", "--out", "first"}));
 }
 
 }  // namespace
@@ -54,6 +55,9 @@ TEST_CASE("a run in two parts leaves the files of one, wherever the first part e
   CHECK(json["steps"] == Json::parse(read(scratch / "whole" / "run.json"))["steps"]);
   CHECK(json["parameters"]["spacing"]["value"] == 0.1);
   CHECK(Json::parse(read(scratch / "whole" / "run.json"))["resumed_from"].is_null());
+  CHECK(Json::parse(read(scratch / "first" / "run.json"))["saved"] == from);
+  CHECK_THAT(headless(scratch, stage4, {"--config", "second/run.json", "--steps", "1", "--out", "again"}).err,
+             ContainsSubstring("begins at the start"));
 }
 
 TEST_CASE("a run that was interrupted goes on from where it was", "[resume]") {
@@ -68,8 +72,8 @@ TEST_CASE("a run that was interrupted goes on from where it was", "[resume]") {
   const auto steps = Json::parse(read(scratch / "first" / "run.json"))["steps"].get<long>();
   const auto end = std::to_string(steps + 50);
   require_done(headless(scratch, stage2, {"--resume", "cloud.state", "--steps", end, "--out", "second"}));
-  require_done(headless(scratch, stage2,
-                        {"cloud", "--set", "particles=60", "--steps", end, "--out", "whole"}));
+  require_done(
+      headless(scratch, stage2, {"cloud", "--set", "particles=60", "--steps", end, "--out", "whole"}));
   CHECK(read(scratch / "second" / "final.csv") == read(scratch / "whole" / "final.csv"));
 }
 
@@ -134,4 +138,23 @@ TEST_CASE("a state that cannot be written is refused before the run, which a win
   const auto window = run(scratch, stage1, {"--save", "a.state"});
   CHECK(window.code == 2);
   CHECK_THAT(window.err, ContainsSubstring("--save is for a run without a window"));
+}
+
+TEST_CASE("a state that cannot be written at the end ends the run with 4, and all else is kept", "[resume]") {
+  const Scratch scratch;
+  fs::create_directory(scratch / "kept");
+  Process process(
+      scratch, stage1,
+      {"bounce", "--headless", "--until", "1e9", "--every", "1e6", "--save", "kept/a.state", "--out", "r"});
+  for (int k = 0; k < 600 && !fs::exists(scratch / "r" / "run.json"); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  fs::remove(scratch / "kept");
+  process.send(SIGINT);
+  const auto ended = process.wait();
+  CHECK(ended.code == 4);
+  CHECK_THAT(ended.err, ContainsSubstring("cannot write kept/a.state"));
+  CHECK(fs::exists(scratch / "r" / "final.csv"));
+  const auto json = Json::parse(read(scratch / "r" / "run.json"));
+  CHECK(json["stop_reason"] == "interrupted");
+  CHECK(json["saved"].is_null());
 }

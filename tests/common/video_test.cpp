@@ -19,7 +19,8 @@ constexpr std::size_t bytes_per_frame = 1280 * 720 * 4;
 Start with_encoder(const Scratch& scratch, const std::string& script) {
   fs::create_directory(scratch / "bin");
   const auto encoder = scratch / "bin" / "ffmpeg";
-  write(encoder, "#!/bin/sh\necho \"$@\" > arguments\nfor out; do :; done\nout=${out#file:}\n" + script + "\n");
+  write(encoder,
+        "#!/bin/sh\necho \"$@\" > arguments\nfor out; do :; done\nout=${out#file:}\n" + script + "\n");
   fs::permissions(encoder, fs::perms::owner_all);
   return {.environment = {{"PATH", (scratch / "bin").string()}}};
 }
@@ -34,9 +35,10 @@ std::string pixel(const std::string& frame, std::size_t x, std::size_t y) {
 TEST_CASE("a video shows a run at equal steps of its time, 30 frames of 1280 x 720 a second", "[video]") {
   const Scratch scratch;
   const auto start = with_encoder(scratch, keeps_all);
-  const auto ended = run(scratch, stage1, {"bounce", "--headless", "--until", "1", "--video", "film.mp4",
-                                           "--video-every", "0.1", "--out", "r"},
-                         start);
+  const auto ended = run(
+      scratch, stage1,
+      {"bounce", "--headless", "--until", "1", "--video", "film.mp4", "--video-every", "0.1", "--out", "r"},
+      start);
   require_done(ended);
   const auto film = read(scratch / "film.mp4");
   REQUIRE(film.size() == 11 * bytes_per_frame);  // t = 0, 0.1, ... 1
@@ -51,10 +53,10 @@ TEST_CASE("a video shows a run at equal steps of its time, 30 frames of 1280 x 7
 TEST_CASE("a frame is shown as long as its step lasts: a run of few steps has a film of constant pace",
           "[video]") {
   const Scratch scratch;
-  const auto ended =
-      run(scratch, stage1, {"drop", "--headless", "--until", "0.4", "--set", "dt=0.1", "--video", "film.mp4",
-                            "--video-every", "0.05", "--out", "r"},
-          with_encoder(scratch, keeps_all));
+  const auto ended = run(scratch, stage1,
+                         {"drop", "--headless", "--until", "0.4", "--set", "dt=0.1", "--video", "film.mp4",
+                          "--video-every", "0.05", "--out", "r"},
+                         with_encoder(scratch, keeps_all));
   require_done(ended);
   const auto film = read(scratch / "film.mp4");
   REQUIRE(film.size() == 9 * bytes_per_frame);  // t = 0, then two frames for each of four steps
@@ -65,9 +67,9 @@ TEST_CASE("a frame is shown as long as its step lasts: a run of few steps has a 
 
 TEST_CASE("a film of a run that nobody gave a pace lasts five seconds at least", "[video]") {
   const Scratch scratch;
-  const auto ended = run(scratch, stage1,
-                         {"drop", "--headless", "--until", "0.5", "--video", "film.mp4", "--out", "r"},
-                         with_encoder(scratch, keeps_all));
+  const auto ended =
+      run(scratch, stage1, {"drop", "--headless", "--until", "0.5", "--video", "film.mp4", "--out", "r"},
+          with_encoder(scratch, keeps_all));
   require_done(ended);
   CHECK(fs::file_size(scratch / "film.mp4") == 151 * bytes_per_frame);
 }
@@ -99,8 +101,8 @@ TEST_CASE("without an ffmpeg a video is refused with 4 and the remedy before any
   const auto ended = run(scratch, stage4, {"--headless", "--video", "film.mp4", "--out", "r"},
                          {.environment = {{"PATH", (scratch / "empty").string()}}});
   CHECK(ended.code == 4);
-  CHECK_THAT(ended.err, ContainsSubstring("no ffmpeg") && ContainsSubstring("film.mp4") &&
-                            ContainsSubstring("install"));
+  CHECK_THAT(ended.err,
+             ContainsSubstring("no ffmpeg") && ContainsSubstring("film.mp4") && ContainsSubstring("install"));
   CHECK_FALSE(fs::exists(scratch / "r"));
 }
 
@@ -122,12 +124,14 @@ TEST_CASE("a video is named .mp4 and goes to a folder that exists; its pace need
 TEST_CASE("when ffmpeg gives up, the run goes on, leaves all else, and ends with 4 and what ffmpeg said",
           "[video]") {
   const Scratch scratch;
-  for (const std::string script : {"echo 'no such encoder' >&2; exit 3",
-                                   "/bin/dd bs=1000000 count=1 of=/dev/null 2>/dev/null; echo 'disk full' >&2; "
-                                   "exit 1"}) {
-    const auto ended = run(scratch, stage1, {"drop", "--headless", "--until", "0.5", "--video", "film.mp4",
-                                             "--force", "--out", "r"},
-                           with_encoder(scratch, script));
+  for (const std::string script :
+       {"echo 'no such encoder' >&2; exit 3",
+        "/bin/dd bs=1000000 count=1 of=/dev/null 2>/dev/null; echo 'disk full' >&2; "
+        "exit 1"}) {
+    const auto ended =
+        run(scratch, stage1,
+            {"drop", "--headless", "--until", "0.5", "--video", "film.mp4", "--force", "--out", "r"},
+            with_encoder(scratch, script));
     CHECK(ended.code == 4);
     CHECK_THAT(ended.err, ContainsSubstring("ffmpeg gave up on film.mp4") &&
                               (ContainsSubstring("no such encoder") || ContainsSubstring("disk full")));

@@ -80,7 +80,8 @@ class Xml {
     if (end == std::string::npos) throw std::runtime_error("the file ends inside an element");
     const auto found = text_.substr(at_, end - at_);
     for (const char c : found)
-      if (static_cast<unsigned char>(c) >= 127 || (c < ' ' && c != '\n')) throw std::runtime_error("not a sign");
+      if (static_cast<unsigned char>(c) >= 127 || (c < ' ' && c != '\n'))
+        throw std::runtime_error("not a sign");
     at_ = end;
     return found;
   }
@@ -134,8 +135,9 @@ std::vector<std::vector<std::string>> rows(const fs::path& file) {
 
 TEST_CASE("the grids of --vtk hold the bits of final.csv, walls included, with units and times", "[vtk]") {
   const Scratch scratch;
-  const auto ended = run(scratch, stage4, {"dam_break", "--headless", "--set", "spacing=0.1", "--until", "0.2",
-                                           "--vtk", "0.05", "--out", "r"});
+  const auto ended = run(
+      scratch, stage4,
+      {"dam_break", "--headless", "--set", "spacing=0.1", "--until", "0.2", "--vtk", "0.05", "--out", "r"});
   require_done(ended);
   const auto list = Xml(read(scratch / "r" / "vtk.pvd")).root();
   CHECK(list.attributes.at("type") == "Collection");
@@ -162,7 +164,8 @@ TEST_CASE("the grids of --vtk hold the bits of final.csv, walls included, with u
   const auto kinds = numbers<std::uint8_t>(data.array("kind"));
   const auto points = numbers<double>(piece.find("Points").array("Points"));
   const auto v = numbers<double>(data.array("velocity")), a = numbers<double>(data.array("acceleration"));
-  const auto density = numbers<double>(data.array("density")), pressure = numbers<double>(data.array("pressure"));
+  const auto density = numbers<double>(data.array("density")),
+             pressure = numbers<double>(data.array("pressure"));
   REQUIRE(ids.size() == count);
   REQUIRE(points.size() == 3 * count);
   REQUIRE(v.size() == 3 * count);
@@ -187,8 +190,9 @@ TEST_CASE("the grids of --vtk hold the bits of final.csv, walls included, with u
 
 TEST_CASE("a run that is replaced takes its grids with it, and a replay has the same ones", "[vtk]") {
   const Scratch scratch;
-  require_done(run(scratch, stage2, {"cloud", "--headless", "--steps", "5", "--set", "particles=7", "--vtk",
-                                     "1e-9", "--out", "r"}));
+  require_done(
+      run(scratch, stage2,
+          {"cloud", "--headless", "--steps", "5", "--set", "particles=7", "--vtk", "1e-9", "--out", "r"}));
   REQUIRE(fs::exists(scratch / "r" / "vtk" / "0005.vtu"));
   require_done(run(scratch, stage2, {"--headless", "--config", "r/run.json", "--out", "again"}));
   CHECK(read(scratch / "r" / "vtk" / "0005.vtu") == read(scratch / "again" / "vtk" / "0005.vtu"));

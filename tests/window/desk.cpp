@@ -156,9 +156,10 @@ Desk::~Desk() {
   for (const auto& line : lines_) log << line.text << '\n';
 }
 
-void Desk::start(const std::vector<std::string>& command) {
+void Desk::start(const std::vector<std::string>& command, const std::map<std::string, std::string>& more) {
   const auto ends = pipe_ends();
   auto environment = environment_;
+  for (const auto& [name, value] : more) environment[name] = value;
   environment["CLAPOTIS_TRACE"] = "/dev/fd/" + std::to_string(ends[1]);
   program_ =
       std::make_unique<Child>(command, environment, folder_ / "program.log", std::vector<int>{ends[1]});

@@ -51,7 +51,9 @@ class Desk {
   explicit Desk(const std::string& name, WindowManager manager = WindowManager::none);
   ~Desk();
 
-  void start(const std::vector<std::string>& command);
+  /// `environment` is what the program has besides ours.
+  void start(const std::vector<std::string>& command,
+             const std::map<std::string, std::string>& environment = {});
   /// Waits for a line that begins with `beginning`, of the frame that was last waited for or of a later one,
   /// and returns the rest of it; no line is returned twice. Throws, with all lines so far, when the program
   /// ends or `seconds` pass.

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "common/runner/saved_state.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/window/keys.hpp"
 #include "stage1_bouncing/scenes.hpp"
@@ -147,4 +148,24 @@ TEST_CASE("the run pauses where the command line said, but not where nobody said
 TEST_CASE("no two shortcuts share a key", "[window]") {
   std::set<std::pair<Key, char32_t>> keys;
   for (const auto& shortcut : shortcuts()) CHECK(keys.insert({shortcut.key, shortcut.character}).second);
+}
+
+TEST_CASE("a session begins with the state of --resume, and a reset goes back to the start of that run",
+          "[window]") {
+  const Stage stage = stage3::stage();
+  Simulation run(stage.scene("cloud"), {{"particles", {"30"}}}, "rk2");
+  for (int k = 0; k < 7; ++k) run.step();
+  auto options = of("cloud", {{"gravity", {"3"}}});
+  options.integrator.value = "rk2";
+  options.resume = std::make_shared<SavedState>(copy_state(stage, run));
+  Session session(stage, options);
+  CHECK(session.simulation().steps() == 7);
+  CHECK(session.simulation().integrator() == "rk2");
+  CHECK(session.simulation().particles().size() == 30);
+  CHECK(session.simulation().parameters().value("gravity") == 3);
+  session.step(1);
+  CHECK(session.simulation().steps() == 8);
+  session.reset();
+  CHECK(session.simulation().steps() == 0);
+  CHECK(session.simulation().particles().size() == 30);
 }
