@@ -11,8 +11,10 @@
 // Sets of values that come with a scene, and what pictures are coloured by.
 
 using namespace clapotis;
-using namespace clapotis::testing;
 using Catch::Matchers::ContainsSubstring;
+using clapotis::testing::require_done;
+using clapotis::testing::run;
+using clapotis::testing::Scratch;
 
 TEST_CASE("every preset of every scene is a run that steps", "[runner]") {
   for (const auto& stage : {stage1::stage(), stage3::stage(), stage4::stage(), stage5::stage()})
@@ -29,14 +31,15 @@ TEST_CASE("every preset of every scene is a run that steps", "[runner]") {
 
 TEST_CASE("a preset counts more than the scene, and less than --set", "[runner]") {
   const Scratch scratch;
-  const auto moon = run(scratch, stage1, {"--preset", "moon", "--set", "drag=0.5", "--print-config"});
+  const auto moon =
+      run(scratch, clapotis::testing::stage1, {"--preset", "moon", "--set", "drag=0.5", "--print-config"});
   require_done(moon);
   CHECK_THAT(moon.out, ContainsSubstring("gravity") && ContainsSubstring("83"));
   CHECK_THAT(moon.out, ContainsSubstring("0.5"));
-  const auto list = run(scratch, stage1, {"--list", "presets"});
+  const auto list = run(scratch, clapotis::testing::stage1, {"--list", "presets"});
   require_done(list);
   CHECK_THAT(list.out, ContainsSubstring("moon") && ContainsSubstring("gravity=83"));
-  const auto wrong = run(scratch, stage1, {"--headless", "--preset", "mon"});
+  const auto wrong = run(scratch, clapotis::testing::stage1, {"--headless", "--preset", "mon"});
   CHECK(wrong.code == 2);
   CHECK_THAT(wrong.err, ContainsSubstring("did you mean moon?"));
 }
@@ -44,8 +47,9 @@ TEST_CASE("a preset counts more than the scene, and less than --set", "[runner]"
 TEST_CASE("pictures can be coloured by any quantity that the scene has", "[runner]") {
   const Scratch scratch;
   const auto by = [&](const std::string& name) {
-    return run(scratch, stage4, {"elliptical_drop", "--headless", "--steps", "2", "--set", "spacing=0.2",
-                                 "--colour-by", name, "--out", (scratch / name).string()});
+    return run(scratch, clapotis::testing::stage4,
+               {"elliptical_drop", "--headless", "--steps", "2", "--set", "spacing=0.2", "--colour-by", name,
+                "--out", (scratch / name).string()});
   };
   for (const std::string name : {"vorticity", "pressure", "density", "plain"}) {
     CAPTURE(name);

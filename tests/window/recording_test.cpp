@@ -126,3 +126,14 @@ TEST_CASE("the buttons of the row of records do what their keys do", "[window]")
   desk.click_control("picture");
   desk.await("notice Saved stage3_grid-cloud-t0.000s.png");
 }
+
+TEST_CASE("the particles as they stand are written as a table and as a grid", "[window]") {
+  Desk desk("table_and_grid");
+  desk.start({STAGE2_PROGRAM, "--paused"});
+  desk.await("step 0 ");
+  for (const std::string name : {"table", "grid_file"}) {
+    desk.click_control(name);
+    const auto file = desk.await("notice Saved ");
+    CHECK(std::filesystem::file_size(desk.folder() / file) > 1000);
+  }
+}
