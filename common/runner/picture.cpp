@@ -84,6 +84,11 @@ Point PictureView::to_pixel(double x, double y) const {
           scene.corner.y + scene.extent.y / 2 - (y - centre.y()) * pixels_per_unit};
 }
 
+bool PictureView::shows(Point pixel) const {
+  return pixel.x >= scene.corner.x && pixel.x < scene.corner.x + scene.extent.x &&
+         pixel.y >= scene.corner.y && pixel.y < scene.corner.y + scene.extent.y;
+}
+
 Eigen::Vector2d PictureView::to_world(Point pixel) const {
   return {centre.x() + (pixel.x - scene.corner.x - scene.extent.x / 2) / pixels_per_unit,
           centre.y() - (pixel.y - scene.corner.y - scene.extent.y / 2) / pixels_per_unit};

@@ -69,6 +69,7 @@ struct PictureView {
 
   [[nodiscard]] Point to_pixel(double x, double y) const;
   [[nodiscard]] Eigen::Vector2d to_world(Point pixel) const;
+  [[nodiscard]] bool shows(Point pixel) const;  ///< whether it is one of the scene
 };
 
 /// The view that shows the whole domain and its walls, as large as `area` allows.

@@ -9,16 +9,11 @@ constexpr double still = 5;   // a click may shake by so many pixels
 constexpr double reach = 10;  // and miss a particle by so many
 constexpr double zoom_per_notch = 1.15;
 
-bool inside(const Box& box, Point p) {
-  return p.x >= box.corner.x && p.x < box.corner.x + box.extent.x && p.y >= box.corner.y &&
-         p.y < box.corner.y + box.extent.y;
-}
-
 }  // namespace
 
 void SceneMouse::handle(WindowState& state, const PictureView& view, const Input& input) {
   using Kind = Input::Kind;
-  const bool here = inside(view.scene, input.at);
+  const bool here = view.shows(input.at);
   if (input.kind == Kind::wheel && here) {
     state.sight.zoom_at(view, input.at, std::pow(zoom_per_notch, input.notches));
   } else if (input.kind == Kind::button_down && here) {

@@ -22,12 +22,6 @@ Vector world(const PictureView& view, Point pixel) {
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-bool is_seen(const PictureView& view, Point p) {
-  const auto& box = view.scene;
-  return p.x >= box.corner.x && p.x < box.corner.x + box.extent.x && p.y >= box.corner.y &&
-         p.y < box.corner.y + box.extent.y;
-}
-
 }  // namespace
 
 double brush_radius(const Simulation& simulation, Tool tool) {
@@ -42,7 +36,7 @@ bool MouseTool::handle(WindowState& state, const PictureView& view, const Input&
   const bool usable = has_hand(session.simulation()) && !session.diverged();
   if (input.kind == Kind::moved) state.mouse = input.at;
   if (input.kind == Kind::left_window) state.mouse.reset();
-  if (input.kind == Kind::button_down && usable && is_seen(view, input.at)) {
+  if (input.kind == Kind::button_down && usable && view.shows(input.at)) {
     const bool left = input.button == MouseButton::left;
     if (input.button == MouseButton::middle || (left && state.tool == Tool::probe)) return false;
     begin(state, view, left ? state.tool : state.tool == Tool::pull ? Tool::push : Tool::pull, input.at);

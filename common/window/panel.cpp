@@ -64,10 +64,10 @@ void Panel::lay_out(WindowState& state, const Box& area) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   transport(state);
   scene(state);
+  mouse(state);
   parameters(state);
   time_step(state);
   view(state);
-  mouse(state);
   record(state);
   cost(state);
   ImGui::End();
@@ -152,7 +152,8 @@ void Panel::scene(WindowState& state) {
   names.clear();
   for (const auto& preset : session.simulation().scene().presets) names.push_back(preset.name);
   if (!names.empty())
-    if (const auto k = list(state, "preset", w().preset, names, session.preset()))
+    if (const auto k =
+            list(state, "preset", w().preset, names, session.preset().empty() ? "–" : session.preset()))
       state.attempt([&] { session.choose_preset(names[*k]); });
   const auto integrator = session.simulation().integrator();
   const auto& integrators = integrator_names(session.simulation().setup().matter());

@@ -58,7 +58,11 @@ class Window {
       const double now = wall_seconds(), elapsed = now - last;
       last = now;
       const auto inputs = screen_.poll();
-      for (const Input& input : inputs) handle(input);
+      moved_ = false;
+      for (const Input& input : inputs) {
+        moved_ = moved_ || input.kind == Input::Kind::moved;
+        handle(input);
+      }
       state_.session.advance(elapsed, budget);
       tool_.follow(state_);
       notice_changes();
@@ -94,9 +98,16 @@ class Window {
     } else if (input.kind == Kind::key_down || input.kind == Kind::character) {
       if (state_.typing.empty() && !screen_.panel_wants_text()) press(state_, input);
     } else if ((input.kind != Kind::button_down && input.kind != Kind::wheel) ||
-               !screen_.panel_wants_mouse()) {
+               !screen_.panel_wants_mouse() || came_to_scene(input)) {
       if (!tool_.handle(state_, view_.view(), input)) mouse_.handle(state_, view_.view(), input);
     }
+  }
+
+  /// Whether the mouse has come to the scene since the last frame: the panel, of that frame, may still think
+  /// that it has it.
+  bool came_to_scene(const Input& input) {
+    const bool covered = state_.menu_open || state_.help || state_.session.diverged();
+    return moved_ && !covered && view_.view().shows(input.at);
   }
 
   void look_at_scene() {
@@ -175,6 +186,7 @@ class Window {
   MouseTool tool_;
   Watch watch_;
   std::string title_;
+  bool moved_ = false;  ///< the mouse, since the last frame
   double until_title_ = 0;
   double stirred_ = 0, painted_ = 0;  ///< when something last happened, and was last painted [s]
   long starts_ = 0;

@@ -349,7 +349,8 @@ TEST_CASE("a liquid is coloured by what suits the scene, and by the next quantit
   Desk desk("liquid");
   desk.start({stage4, "--set", "spacing=0.1"});
   desk.await("colour by speed");
-  for (const auto* quantity : {"pressure", "density_error", "density", "force", "plain", "speed"}) {
+  for (const auto* quantity :
+       {"pressure", "vorticity", "density_error", "density", "force", "plain", "speed"}) {
     desk.key("c");
     desk.await(std::string("colour by ") + quantity);
     desk.picture(quantity);
