@@ -14,9 +14,11 @@ struct Words {
   std::string_view unknown_parameter, unknown_name, did_you_mean, value_out_of_range, not_a_number,
       not_an_integer, not_a_choice, comma_for_dot, needs_restart, derived_parameter, too_many_discs,
       box_too_small, outside_box, no_time_step, vanishing_time_step, too_many_steps, other_unit, from_place,
-      threads_out_of_range, spacing_too_large, spacing_too_small;
+      threads_out_of_range, spacing_too_large, spacing_too_small, no_room_for_drop, obstacle_over_liquid,
+      entry_twice, integrator_of_particles;
   // ranges of values
-  std::string_view any_finite, range_above, range_at_least, range_at_most, range_between, or_auto;
+  std::string_view any_finite, range_above, range_at_least, range_at_most, range_between, or_auto,
+      each_or_none;
   // what a run says
   std::string_view diverged, diverged_speed, diverged_nan, cause_limit, cause_scheme, beyond_limit,
       warn_coincident, warn_coincident_fluid, warn_folded;
@@ -48,28 +50,31 @@ struct Words {
       help_compare, help_side, help_compare_steps, help_compare_every, help_compare_out, help_compare_json;
   // runner: help
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
-      help_print_config, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
-      help_frames, help_vtk, help_picture, help_video, help_video_every, help_save, help_resume, help_list,
-      help_json, help_quiet, help_paused, help_scale, help_version, help_help, help_epilogue;
+      help_print_config, help_preset, help_colour_by, help_integrator, help_seed, help_threads, help_out,
+      help_force, help_every, help_frames, help_vtk, help_picture, help_video, help_video_every, help_save,
+      help_resume, help_list, help_json, help_quiet, help_paused, help_scale, help_version, help_help,
+      help_epilogue;
 
   // window: its own table, so that its many short words need no prefix
   struct Window {
     // the buttons and the rows of the panel
-    std::string_view run, pause, step, reset, speed, slower_than_asked, scene, seed, integrator, live,
+    std::string_view run, pause, step, reset, speed, slower_than_asked, scene, preset, seed, integrator, live,
         restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
         beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
-        real_time, picture, video, stop_video, save, restore, recording, pairs_near, pairs_tested, frames,
-        frame_cost;
+        real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
+        pairs_tested, frames, frame_cost;
     // what is painted over the scene
     std::string_view particle, position, velocity, speed_of_particle, acceleration, tested, near,
         velocity_scale, diverged, try_another;
     // notices
     std::string_view picture_saved, state_saved, state_restored, nothing_saved;
+    std::string_view mouse, tool_probe, tool_pull, tool_push, tool_add, tool_erase, tool_obstacle, tool_grab;
     // the help
     std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag, key_control_click,
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
         does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video,
-        does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type;
+        does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right,
+        does_right;
   } window;
 };
 

@@ -7,12 +7,13 @@
 #include "common/laws/newtonian_viscosity.hpp"
 #include "common/laws/pressure_force.hpp"
 #include "common/laws/step_limits.hpp"
-#include "common/laws/sway.hpp"
+#include "common/laws/tank_motion.hpp"
 #include "common/laws/walls.hpp"
 #include "common/references/waves.hpp"
 #include "common/simulation/fluid_model.hpp"
 #include "stage4_sph/references.hpp"
 #include "stage5_extensions/parameters.hpp"
+#include "stage5_extensions/probes.hpp"
 #include "stage5_extensions/scenes.hpp"
 
 namespace clapotis::stage5 {
@@ -59,26 +60,10 @@ Measure amplitude_of(double k, double width) {
           }};
 }
 
-/// How high the liquid stands at x: what is in a strip around x, over the strip's width. The strip has soft
-/// edges, `soft` to either side, and goes on behind the walls as in a mirror.
-double height_at(double x, double width, double soft, const Particles& particles) {
-  const auto inside = [=](double d) {
-    return std::abs(d) < soft ? (1 + std::cos(pi * d / soft)) / (2 * soft) : 0;
-  };
-  double sum = 0;
-  for (Index i = 0; i < particles.size(); ++i) {
-    const double at = particles.position(i, 0);
-    sum += (inside(x - at) + inside(x + at) + inside(2 * width - x - at)) / particles.density(i);
-  }
-  return particles.uniform_mass * sum;
-}
-
-/// A wave probe: how far the surface at x is above its place at the start.
-Measure elevation(std::string name, double x, double width, double spacing, const Particles& start) {
-  const double soft = 4 * spacing, calm = height_at(x, width, soft, start);
-  return {.name = std::move(name), .unit = "L", .value = [=](const System& s) {
-            return height_at(x, width, soft, s.particles) - calm;
-          }};
+/// Where probes stand: between one wall and the other, or between floor and rim.
+std::vector<double> places(Parameters& p, Parameter probes, double end) {
+  probes.range = {.low = 0, .high = end};
+  return p.numbers(probes);
 }
 
 }  // namespace
@@ -102,6 +87,7 @@ Setup standing_wave(Parameters& p) {
                        : water_model<>(p, std::move(tank.walls));
   const auto amplitude = amplitude_of(k, tank.width);
   setup.measures = {amplitude};
+  if (a == 0) return std::move(setup);
   const auto wave = nu > 0 ? viscous_wave(g, k, nu) : ViscousWave{wave_frequency(g, k, depth), 0};
   setup.reference = Reference{.name = "linear wave",
                               .measure = "|a - a_exact|/a_0",
@@ -117,24 +103,34 @@ Setup standing_wave(Parameters& p) {
   return std::move(setup);
 }
 
-/// Water in a tank that begins to sway.
+/// Water in a tank that begins to sway, or to roll.
 Setup sloshing(Parameters& p) {
   auto [fluid, depth, tank, setup] = water_at_rest(p);
-  setup.model = water_model<Sway>(p, std::move(tank.walls));
-  const auto sway = Sway::from(p);
-  const SwayedTank exact{tank.width, depth, p.value("gravity"), sway.amplitude, sway.omega};
-  const auto left = elevation("elevation_left", 0, tank.width, fluid.spacing, setup.particles),
-             right = elevation("elevation_right", tank.width, tank.width, fluid.spacing, setup.particles);
-  setup.measures = {left, right};
-  // Half of the difference: the lattice settles beside the walls, in the same way on either side.
+  setup.model = water_model<TankMotion>(p, std::move(tank.walls));
+  const auto left = elevation("elevation_left", 0, tank.width, fluid, setup.particles),
+             right = elevation("elevation_right", tank.width, tank.width, fluid, setup.particles);
+  auto& measures = setup.measures;
+  measures = {left, right};
+  for (const double x : places(p, probe_x, tank.width))
+    measures.push_back(elevation("elevation_" + to_text(x), x, tank.width, fluid, setup.particles));
+  for (const double y : places(p, probe_y, tank.height)) {
+    measures.push_back(pressure("pressure_left_" + to_text(y), {0, y}, fluid));
+    measures.push_back(pressure("pressure_right_" + to_text(y), {tank.width, y}, fluid));
+  }
+  const auto motion = TankMotion::from(p);
+  if (motion.amplitude == 0 && motion.angle == 0) return std::move(setup);
+  const MovedTank exact{tank.width, depth, motion.gravity, motion.amplitude, motion.angle, motion.omega};
+  const double greatest = exact.greatest(6 * pi / exact.natural_frequency(1));
+  // Half of left less right, for the lattice settles beside the walls in the same way on either side; over
+  // the greatest in three natural periods.
   setup.reference = Reference{.name = "linear sloshing",
-                              .measure = "|eta - eta_exact|/A, half of left less right",
+                              .measure = "|eta - eta_exact|/eta_max",
                               .unit = "",
                               .source = "Faltinsen & Timokha 2009, Sloshing, chapter 5",
                               .error =
                                   [=](const System& s) {
                                     const double eta = (left.value(s) - right.value(s)) / 2;
-                                    return std::abs(eta - exact.elevation(0, s.time)) / exact.amplitude;
+                                    return std::abs(eta - exact.elevation(0, s.time)) / greatest;
                                   },
                               .positions = {}};
   return std::move(setup);

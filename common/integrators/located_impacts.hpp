@@ -30,6 +30,8 @@ class LocatedImpacts final : public Integrator {
   [[nodiscard]] bool leaves_acceleration() const override {
     return !touched_ && scheme_->leaves_acceleration();
   }
+  [[nodiscard]] bool controls_error() const override { return scheme_->controls_error(); }
+  void read(Parameters& p) override { scheme_->read(p); }
 
  private:
   struct State {

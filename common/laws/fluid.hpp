@@ -76,6 +76,11 @@ concept RubsWalls = requires(const L& law, const FluidParticle<double>& i, const
                              const Meeting& ij) {
   Pack{law.wall_friction(i, j, ij)};
 };
+/// A law that acts with the velocities at the end of the step: `Implicit` (implicit.hpp).
+template <class L>
+concept ActsImplicitly = requires {
+  requires L::implicit;
+};
 template <class L>
 concept FluidLaw = ActsByStress<L> || ActsByFriction<L> || StressesWalls<L> || RubsWalls<L>;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "common/particles/parallel.hpp"
@@ -48,8 +49,9 @@ const Column* Particles::column(std::string_view name) const {
 
 std::vector<Particles::View> Particles::columns() const {
   std::vector<View> all;
-  if (density.size() > 0) all.push_back({"density", "kg/L^3", density});
-  if (pressure.size() > 0) all.push_back({"pressure", "kg/(L s^2)", pressure});
+  const bool dense = size() > 0 ? density.size() > 0 : dense_;
+  if (dense) all.push_back({"density", "kg/L^3", density});
+  if (dense) all.push_back({"pressure", "kg/(L s^2)", pressure});
   for (const auto& c : extra) all.push_back({c.name, c.unit, c.values});
   return all;
 }
@@ -62,11 +64,71 @@ double Particles::greatest_mass() const {
   return masses_ == none || size() == 0 ? uniform_mass : extra[masses_].values.maxCoeff();
 }
 
+std::optional<Index> Particles::place_of(Index id) const {
+  if (ids_.empty()) return id < size() ? std::optional(id) : std::nullopt;
+  const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);
+  if (found == ids_.end() || *found != id) return std::nullopt;
+  return static_cast<Index>(found - ids_.begin());
+}
+
+void Particles::each_column(const auto& act) {
+  if (size() > 0) {  // where nobody is left, one cannot see which columns there were
+    dense_ = density.size() > 0;
+    rated_ = density_rate.size() > 0;
+  }
+  act(position);
+  act(velocity);
+  act(acceleration);
+  if (dense_) act(density);
+  if (dense_) act(pressure);
+  if (rated_) act(density_rate);
+  for (auto& c : extra) act(c.values);
+}
+
+/// From now on ids are stored.
+void Particles::number() {
+  if (next_id_ > 0) return;
+  ids_.resize(static_cast<std::size_t>(size()));
+  std::iota(ids_.begin(), ids_.end(), 0);
+  next_id_ = size();
+}
+
+Index Particles::append(Index count) {
+  number();
+  const Index before = size();
+  each_column([&](auto& column) {
+    column.conservativeResize(before + count, Eigen::NoChange);
+    column.bottomRows(count).setZero();
+  });
+  for (Index k = 0; k < count; ++k) ids_.push_back(next_id_++);
+  return before;
+}
+
+void Particles::keep(const std::vector<char>& stays) {
+  number();
+  std::vector<Index> kept;
+  for (std::size_t i = 0; i < stays.size(); ++i)
+    if (stays[i] != 0) kept.push_back(static_cast<Index>(i));
+  const Index left = static_cast<Index>(kept.size());
+  const auto close_up = [&](const auto& row_of) {
+    for (Index k = 0; k < left; ++k) row_of(k, kept[static_cast<std::size_t>(k)]);
+  };
+  each_column([&](auto& column) {
+    close_up([&](Index to, Index from) { column.row(to) = column.row(from); });
+    column.conservativeResize(left, Eigen::NoChange);
+  });
+  close_up([&](Index to, Index from) {
+    ids_[static_cast<std::size_t>(to)] = ids_[static_cast<std::size_t>(from)];
+  });
+  ids_.resize(kept.size());
+}
+
 std::size_t Particles::bytes() const {
   const auto per_particle = 3 * 2 + extra.size();
   return (static_cast<std::size_t>(size()) * per_particle +
           static_cast<std::size_t>(density.size() + density_rate.size() + pressure.size())) *
-         sizeof(double);
+             sizeof(double) +
+         ids_.size() * sizeof(ids_.front());
 }
 
 }  // namespace clapotis

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,9 +29,9 @@ struct NamedColumn {
 /// The greatest length of the vectors; NaN if any is, 0 if there are none.
 double greatest_norm(const Vectors& a, int threads = 1);
 
-/// The particles of a scene, as columns (structure of arrays). A particle's id is its place, 0 to n-1.
-/// Position, velocity and acceleration always exist, density and pressure in a fluid; `extra` holds what the
-/// laws of the scene need besides. Without a column "mass" all have `uniform_mass`.
+/// The particles of a scene, as columns (structure of arrays). Their order is that of their ids. Position,
+/// velocity and acceleration always exist, density and pressure in a fluid; `extra` holds what the laws of
+/// the scene need besides. Without a column "mass" all have `uniform_mass`.
 struct Particles {
   Particles() = default;
   /// `count` particles of `mass` each [kg], at the origin and at rest.
@@ -47,6 +49,17 @@ struct Particles {
   std::deque<NamedColumn> extra;   ///< a deque: columns stay where they are when others are added
 
   [[nodiscard]] Index size() const { return position.rows(); }
+  /// The number by which particle i is known as long as it exists: its place, until particles come or go.
+  [[nodiscard]] Index id(Index i) const {
+    return ids_.empty() ? i : static_cast<Index>(ids_[static_cast<std::size_t>(i)]);
+  }
+  /// The place of the particle known by `id`, if it exists.
+  [[nodiscard]] std::optional<Index> place_of(Index id) const;
+
+  /// Adds `count` particles at the end, with new ids and zeros in all columns; returns the first one's place.
+  Index append(Index count);
+  /// Removes the particles for which `stays` holds 0. The others keep their order.
+  void keep(const std::vector<char>& stays);
   [[nodiscard]] double mass(Index i) const {
     return masses_ != none ? extra[masses_].values(i) : uniform_mass;
   }
@@ -71,10 +84,10 @@ struct Particles {
   /// Memory of all columns [byte].
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Calls visit(column) for each there is, empty ones included, always in the same order: who saves them
-  /// cannot forget one.
+  /// Calls visit(x) for all columns, empty ones included, and for the ids, always in the same order: who
+  /// saves them cannot forget one.
   template <class Visit>
-  void each_column(Visit&& visit) {
+  void pass_state(Visit&& visit) {
     visit(position);
     visit(velocity);
     visit(acceleration);
@@ -82,11 +95,22 @@ struct Particles {
     visit(density_rate);
     visit(pressure);
     for (auto& column : extra) visit(column.values);
+    visit(ids_);
+    visit(next_id_);
+    visit(dense_);
+    visit(rated_);
   }
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t masses_ = none;  ///< place of the column "mass"
+  /// Calls act(column) for all that exist.
+  void each_column(const auto& act);
+  void number();
+
+  std::size_t masses_ = none;           ///< place of the column "mass"
+  std::vector<std::int64_t> ids_;       ///< empty as long as they are the places
+  std::int64_t next_id_ = 0;            ///< where `ids_` is not empty
+  bool dense_ = false, rated_ = false;  ///< whether density and its rate exist, also where nobody has any
 };
 
 }  // namespace clapotis

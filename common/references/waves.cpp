@@ -1,5 +1,6 @@
 #include "common/references/waves.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -37,20 +38,33 @@ ViscousWave viscous_wave(double gravity, double k, double viscosity) {
   return {.frequency = std::abs(n.imag()), .decay = -n.real()};
 }
 
-double SwayedTank::natural_frequency(int n) const {
+double MovedTank::natural_frequency(int n) const {
   return wave_frequency(gravity, n * std::numbers::pi / width, depth);
 }
 
-double SwayedTank::elevation(double x, double t) const {
-  Demand{"SwayedTank"}.positive(width, "width [m]");
+double MovedTank::elevation(double x, double t) const {
+  Demand{"MovedTank"}.positive(width, "width [m]");
+  Demand{"MovedTank"}.positive(omega, "omega [1/s]");
   double sum = 0;
   for (int n = 1; n < 400; n += 2) {
-    const double k = n * std::numbers::pi / width, w = natural_frequency(n);
-    const double share = 4 * std::tanh(k * depth) / (k * width);
-    sum += share * amplitude * omega * omega / (w * w - omega * omega) *
-           (std::cos(omega * t) - std::cos(w * t)) * std::cos(k * x);
+    const double k = n * std::numbers::pi / width, w = natural_frequency(n), tanh = std::tanh(k * depth);
+    const double arm = depth - 2 / k * std::tanh(k * depth / 2);
+    // b'' + w^2 b = constant + swinging cos W t, from rest; (cos W t - cos w t)/(w^2 - W^2) without a hole at
+    // W = w
+    const double constant = gravity * angle;
+    const double swinging = amplitude * omega * omega - angle * (gravity + omega * omega * arm);
+    const double half = (w - omega) * t / 2, slow = half == 0 ? 1 : std::sin(half) / half;
+    const double b = constant / (w * w) * (1 - std::cos(w * t)) +
+                     swinging * t * slow * std::sin((w + omega) * t / 2) / (w + omega);
+    sum += 4 * tanh / (k * width) * b * std::cos(k * x);
   }
   return sum;
+}
+
+double MovedTank::greatest(double t) const {
+  double most = 0;
+  for (int k = 1; k <= 300; ++k) most = std::max(most, std::abs(elevation(0, t * k / 300)));
+  return most;
 }
 
 }  // namespace clapotis

@@ -16,22 +16,27 @@ struct ViscousWave {
 /// oscillates.
 ViscousWave viscous_wave(double gravity, double k, double viscosity);
 
-/// The surface of a liquid in a tank that sways from rest, X(t) = A (1 - cos(W t)), in the tank's frame, by
-/// linear theory:
+/// The surface of a liquid in a tank that from rest sways, X(t) = A (1 - cos W t), and rolls about the middle
+/// of its floor, counterclockwise by theta(t) = B (1 - cos W t), in the tank's frame, by linear theory:
 ///   eta = sum over odd n of b_n cos(k_n x),  k_n = n pi/L,  w_n^2 = g k_n tanh(k_n H),
-///   b_n'' + w_n^2 b_n = 4 tanh(k_n H)/(k_n L) X'',  so  b_n = C_n A W^2/(w_n^2 - W^2) (cos W t - cos w_n t),
-/// C_n = 4 tanh(k_n H)/(k_n L). Faltinsen & Timokha 2009, Sloshing, chapter 5.
-struct SwayedTank {
+///   b_n'' + w_n^2 b_n = 4 tanh(k_n H)/(k_n L) [X'' + g theta - theta'' (H - 2/k_n tanh(k_n H/2))].
+/// The bracket is the push along x that a solid would feel, but for the last term: a liquid does not turn
+/// with its tank (its potential is that of Stokes and Joukowski). Faltinsen & Timokha 2009, Sloshing,
+/// chapter 5.
+struct MovedTank {
   double width;      ///< L [m], > 0
   double depth;      ///< H [m], > 0
   double gravity;    ///< g [m/s^2], > 0
   double amplitude;  ///< A [m]
-  double omega;      ///< W [1/s], none of the w_n
+  double angle;      ///< B [rad]
+  double omega;      ///< W [1/s], > 0
 
   /// w_n [1/s].
   [[nodiscard]] double natural_frequency(int n) const;
-  /// eta(x, t) [m], x from the left wall, the first 200 modes: right to 1e-4 A.
+  /// eta(x, t) [m], x from the left wall, the first 200 modes: right to 1e-3 (A W^2/g + B) L.
   [[nodiscard]] double elevation(double x, double t) const;
+  /// The greatest |eta| at the walls up to time t, of some hundred instants [m].
+  [[nodiscard]] double greatest(double t) const;
 };
 
 }  // namespace clapotis

@@ -22,6 +22,9 @@ const Stage& find_stage(std::span<const Stage> stages, const std::string& name) 
   return *matching.front();
 }
 
+/// No name begins so, but an entry of a list does.
+bool begins_number(char c) { return std::string_view("0123456789.+-").find(c) != std::string_view::npos; }
+
 void assign(SideOptions& side, const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
@@ -29,7 +32,7 @@ void assign(SideOptions& side, const std::string& assignment) {
         say(words().compare_assignment, fmt::arg("side", side.text), fmt::arg("text", assignment)));
   const auto name = assignment.substr(0, equals), value = assignment.substr(equals + 1);
   if (name == "integrator") {
-    static_cast<void>(make_integrator(value));
+    static_cast<void>(make_integrator(value, side.stage->matter()));
     side.integrator = value;
   } else if (name == "threads") {
     side.threads = static_cast<int>(option_count(name, value, thread_range));
@@ -79,7 +82,9 @@ SideOptions read_side(std::span<const Stage> stages, const std::string& text) {
                    .scene = &stage.scene(text.substr(slash + 1, colon - slash - 1)),
                    .parameters = {}};
   for (auto at = colon; at < text.size();) {
-    const auto end = std::min(text.find(',', at + 1), text.size());
+    auto end = std::min(text.find(',', at + 1), text.size());
+    while (end + 1 < text.size() && begins_number(text[end + 1]))  // in a list: probe_x=0.1,0.5
+      end = std::min(text.find(',', end + 1), text.size());
     assign(side, text.substr(at + 1, end - at - 1));
     at = end;
   }

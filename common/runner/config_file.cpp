@@ -62,6 +62,17 @@ struct Reader {
     if (value.is_number()) return to_text(value.get<double>());
     refuse(words().config_wrong_kind, fmt::arg("key", key), fmt::arg("value", value.dump()));
   }
+  /// A parameter's value, which may be a list.
+  [[nodiscard]] std::string value(const Json& entries, const std::string& key) const {
+    if (!entries.is_array()) return text(entries, key);
+    std::string all;
+    for (const auto& entry : entries) {
+      if (!entry.is_number())
+        refuse(words().config_wrong_kind, fmt::arg("key", key), fmt::arg("value", entries.dump()));
+      all += (all.empty() ? "" : ",") + text(entry, key);
+    }
+    return all.empty() ? "none" : all;
+  }
   void require_object(const Json& value, const std::string& key) const {
     if (!value.is_object())
       refuse(words().config_wrong_kind, fmt::arg("key", key), fmt::arg("value", value.dump()));
@@ -102,14 +113,14 @@ void read_parameters(const Reader& reader, const Json& object, ConfigFile& confi
   reader.require_object(object, "parameters");
   for (const auto& [name, value] : object.items()) {
     if (!value.is_object()) {
-      config.parameters[name] = {reader.text(value, name), Origin::file, reader.file.string()};
+      config.parameters[name] = {reader.value(value, name), Origin::file, reader.file.string()};
       continue;
     }
     for (const auto& [key, unused] : value.items())
       if (std::find(known.begin(), known.end(), key) == known.end()) reader.refuse_key(key, known);
     if (!value.contains("value")) reader.refuse(words().config_no_value, fmt::arg("key", name));
     if (value.contains("origin") && value["origin"] == origin_of_results) continue;
-    config.parameters[name] = {reader.text(value["value"], name), Origin::file, reader.file.string(),
+    config.parameters[name] = {reader.value(value["value"], name), Origin::file, reader.file.string(),
                                value.contains("unit") ? reader.text(value["unit"], name) : ""};
   }
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/laws/dummy_walls.hpp"
 #include "common/runner/ticks.hpp"
 #include "common/runner/units.hpp"
+#include "common/simulation/errors.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -36,6 +38,8 @@ Quantity quantity(Simulation& simulation, const std::string& name) {
   const auto& fluid = simulation.setup().fluid;
   if (name == "speed") return {"|v|", length + "/s", particles.velocity.square().rowwise().sum().sqrt()};
   if (name == "force") return {"|m a|", printed(short_force_unit(simulation)), forces(simulation)};
+  if (name == "vorticity" && fluid)
+    return {"ω", "1/s", simulation.model().vorticity(particles), Span::around_zero};
   if (name == "density_error" && fluid)
     return {"ρ/ρ₀ − 1", "%", 100 * (particles.density / fluid->state.reference_density - 1),
             Span::around_zero};
@@ -80,6 +84,24 @@ void colour(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint
   picture.value = std::move(shown.values);
 }
 
+/// The particles of walls that stand inside the picture: plates, floors with a slot, drawn obstacles.
+void add_solids(Picture& picture, const Simulation& simulation) {
+  const auto* walls = simulation.model().wall_particles();
+  if (walls == nullptr) return;
+  const auto& view = simulation.setup().view;
+  std::vector<Vector> seen;
+  for (Index k = 0; k < walls->size(); ++k) {
+    const Vector r = row(walls->places, k);
+    if (r.x > view.left && r.x < view.right && r.y > view.bottom && r.y < view.top) seen.push_back(r);
+  }
+  picture.solid_x.resize(static_cast<Index>(seen.size()));
+  picture.solid_y.resize(static_cast<Index>(seen.size()));
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    picture.solid_x(static_cast<Index>(k)) = seen[k].x;
+    picture.solid_y(static_cast<Index>(k)) = seen[k].y;
+  }
+}
+
 void add_ghosts(Picture& picture, const Simulation& simulation) {
   const auto& reference = simulation.setup().reference;
   if (!reference || !reference->positions) return;
@@ -90,15 +112,15 @@ void add_ghosts(Picture& picture, const Simulation& simulation) {
 }
 
 void add_neighbours(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint) {
-  const Index particle = viewpoint.chosen.value_or(0);
-  if ((!viewpoint.grid && !viewpoint.chosen) || particle >= simulation.particles().size()) return;
-  const auto around = simulation.model().neighbourhood(simulation.particles(), particle);
+  const auto particle = simulation.particles().place_of(viewpoint.chosen.value_or(0));
+  if ((!viewpoint.grid && !viewpoint.chosen) || !particle) return;
+  const auto around = simulation.model().neighbourhood(simulation.particles(), *particle);
   if (!around) return;
   if (viewpoint.grid && around->cell.y > 0) picture.cell = around->cell.y;
   if (!viewpoint.chosen) return;
-  picture.chosen = Chosen{
-      particle, around->neighbours, around->support,
-      say(words().chosen_particle, fmt::arg("id", particle), fmt::arg("count", around->neighbours.size()))};
+  picture.chosen = Chosen{*particle, around->neighbours, around->support,
+                          say(words().chosen_particle, fmt::arg("id", *viewpoint.chosen),
+                              fmt::arg("count", around->neighbours.size()))};
 }
 
 std::string error_note(const Simulation& simulation) {
@@ -114,12 +136,21 @@ std::string error_note(const Simulation& simulation) {
 std::vector<std::string> colourings(const Simulation& simulation) {
   std::vector<std::string> names{"speed"};
   const auto& particles = simulation.particles();
-  if (simulation.setup().fluid) names.insert(names.end(), {"pressure", "density_error", "density"});
+  if (simulation.setup().fluid)
+    names.insert(names.end(), {"pressure", "vorticity", "density_error", "density"});
   names.emplace_back("force");
   for (const auto& column : particles.columns())
     if (std::find(names.begin(), names.end(), column.name) == names.end()) names.emplace_back(column.name);
   names.emplace_back("plain");
   return names;
+}
+
+std::string colouring(const Simulation& simulation, const std::optional<std::string>& wanted) {
+  if (!wanted) return simulation.setup().colour_by;
+  const auto known = colourings(simulation);
+  if (std::find(known.begin(), known.end(), *wanted) == known.end())
+    throw BadInput(unknown_name("quantity", *wanted, known));
+  return *wanted;
 }
 
 std::string symbol(std::string_view column) {
@@ -151,6 +182,7 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   picture.y = particles.position.col(1);
   picture.radius = simulation.setup().radius;
   picture.liquid = simulation.setup().fluid.has_value();
+  add_solids(picture, simulation);
   colour(picture, simulation, viewpoint);
   if (viewpoint.ghosts) add_ghosts(picture, simulation);
   add_neighbours(picture, simulation, viewpoint);

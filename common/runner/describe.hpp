@@ -18,12 +18,14 @@ struct Viewpoint {
   std::optional<std::pair<double, double>> range = {};
   bool ghosts = true;                ///< where the reference has the particles
   bool grid = false;                 ///< the cells of the neighbour search
-  std::optional<Index> chosen = {};  ///< the particle whose neighbours are shown
+  std::optional<Index> chosen = {};  ///< id of the particle whose neighbours are shown
 };
 
 /// What the particles can be coloured by: speed, in a fluid pressure, density_error and density, then force
 /// |m a|, the scene's other columns, plain.
 std::vector<std::string> colourings(const Simulation& simulation);
+/// The wanted one of them, or the scene's own; throws BadInput with the nearest name.
+std::string colouring(const Simulation& simulation, const std::optional<std::string>& wanted);
 
 /// What a column of the scene is called in formulas: "density" is rho.
 std::string symbol(std::string_view column);

@@ -59,6 +59,7 @@ Json as_json(const Parameter& p) {
     entry["low_excluded"] = p.range.low_excluded;
     entry["high"] = bound(p.range.high);
     entry["integer"] = p.integer;
+    entry["list"] = p.list;
   } else {
     entry["choices"] = p.choices;
   }
@@ -67,8 +68,7 @@ Json as_json(const Parameter& p) {
 
 std::vector<std::string> as_row(const Parameter& p) {
   const auto unit = p.unit.empty() ? "-" : p.unit;
-  const auto allowed =
-      p.choices.empty() ? p.range.text() + (p.automatic ? std::string(words().or_auto) : "") : p.allowed();
+  const auto allowed = p.choices.empty() ? p.range.text() + p.form() : p.allowed();
   return {"  " + p.name,
           p.symbol,
           unit,
@@ -102,6 +102,25 @@ std::string name_listing(const std::vector<std::string>& names, bool as_array) {
   std::string text;
   for (const auto& name : names) text += name + "\n";
   return text;
+}
+
+/// The presets of the scenes and their values; empty if there are none.
+std::string preset_listing(const std::vector<const Scene*>& scenes, bool as_object) {
+  Json object = Json::object();
+  std::vector<std::vector<std::string>> rows;
+  for (const auto* scene : scenes) {
+    if (scene->presets.empty()) continue;
+    rows.push_back({scene->name});
+    for (const auto& [name, values] : scene->presets) {
+      std::string text;
+      for (const auto& [parameter, value] : values)
+        text += (text.empty() ? "" : " ") + parameter + "=" + value;
+      rows.push_back({"  " + name, text});
+      object[scene->name][name] = values;
+    }
+  }
+  if (rows.empty()) return {};
+  return as_object ? object.dump(2) + "\n" : table(rows);
 }
 
 /// The kernels that scenes of the stage can have; none where nothing is smoothed.
@@ -143,7 +162,7 @@ std::string text_of(const Json& value) {
 
 std::string listing(const Stage& stage, const std::string& kind, const Options& options) {
   std::vector<std::string> kinds{"scenes", "parameters", "integrators"};
-  if (kind == "integrators") return name_listing(integrator_names(), options.json);
+  if (kind == "integrators") return name_listing(integrator_names(stage.matter()), options.json);
   std::vector<std::string> names;
   std::vector<const Scene*> scenes;
   for (const auto& scene : stage.scenes) {
@@ -152,6 +171,10 @@ std::string listing(const Stage& stage, const std::string& kind, const Options& 
   }
   if (kind == "scenes") return name_listing(names, options.json);
   if (kind == "parameters") return parameter_listing(scenes, options.json);
+  if (const auto presets = preset_listing(scenes, options.json); !presets.empty()) {
+    if (kind == "presets") return presets;
+    kinds.emplace_back("presets");
+  }
   if (const auto kernels = kernels_of(stage); !kernels.empty()) {
     if (kind == "kernels") return name_listing(kernels, options.json);
     kinds.emplace_back("kernels");

@@ -28,8 +28,8 @@ std::string hint(std::string_view word, const std::vector<std::string>& names) {
   return near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
 }
 
-std::string checked_integrator(const std::string& name) {
-  static_cast<void>(make_integrator(name));
+std::string checked_integrator(const Stage& stage, const std::string& name) {
+  static_cast<void>(make_integrator(name, stage.matter()));
   return name;
 }
 
@@ -37,7 +37,7 @@ std::string checked_integrator(const std::string& name) {
 void apply(Options& options, const Stage& stage, const std::string& name, const std::string& text,
            Origin origin) {
   if (name == "scene") options.scene = {stage.scene(text).name, origin};
-  if (name == "integrator") options.integrator = {checked_integrator(text), origin};
+  if (name == "integrator") options.integrator = {checked_integrator(stage, text), origin};
   if (name == "threads") options.threads = {static_cast<int>(option_count(name, text, thread_range)), origin};
   if (name == "until") options.until = {option_number(name, text, not_negative), origin};
   if (name == "steps") options.steps = {option_count(name, text, step_range), origin};
@@ -95,6 +95,11 @@ void refuse_end_before_start(const Options& options) {
   };
   if (options.until && options.until->value <= saved.time) refuse_end("--until");
   if (options.steps && options.steps->value <= saved.steps) refuse_end("--steps");
+}
+
+void apply_preset(Options& options, const Stage& stage, const std::string& name) {
+  for (const auto& [parameter, value] : stage.scene(options.scene.value).preset(name, Origin::flag))
+    options.parameters.insert_or_assign(parameter, value);
 }
 
 void apply_set(Options& options, const std::vector<std::string>& assignments) {
@@ -222,7 +227,11 @@ Options understand(const Stage& stage, const Arguments& arguments) {
   apply_environment(options, stage);
   forget_stop(options, given.contains("until"), given.contains("steps"));
   for (const auto& [name, text] : given) apply(options, stage, name, text, Origin::flag);
+  if (const auto preset = given.find("preset"); preset != given.end())
+    apply_preset(options, stage, preset->second);
   apply_set(options, arguments.set);
+  if (const auto quantity = given.find("colour-by"); quantity != given.end())
+    options.colour_by = quantity->second;
   if (given.contains("seed")) refuse_seed_without_chance(options, stage);
   if (!options.until && !options.steps) options.until = {default_until, Origin::law};
   apply_files(options, arguments);

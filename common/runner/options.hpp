@@ -40,6 +40,8 @@ struct Options {
   std::optional<std::filesystem::path> save;     ///< where the state goes at the end
   std::shared_ptr<const SavedState> resume;      ///< what to go on from
 
+  std::optional<std::string> colour_by;  ///< what pictures show first; the scene's choice otherwise
+
   std::vector<std::string> warnings;  ///< whole sentences
 };
 

@@ -7,6 +7,7 @@ namespace clapotis {
 using Json = nlohmann::ordered_json;
 
 Json json_value(const Parameter& p) {
+  if (p.list) return p.values;
   if (!p.choices.empty() || std::isnan(p.value)) return p.text();
   if (p.integer) return static_cast<long long>(p.value);
   return p.value;

@@ -47,13 +47,14 @@ void write_particles(const std::filesystem::path& file, Simulation& simulation) 
   simulation.look([&](const System& system) {
     const auto& p = system.particles;
     for (Index i = 0; i < p.size(); ++i) {
-      row = std::to_string(i) + "," + std::string(p.kind);
+      row = std::to_string(p.id(i)) + "," + std::string(p.kind);
       for (const auto* vectors : {&p.position, &p.velocity, &p.acceleration})
         for (const int axis : {0, 1}) append(row, (*vectors)(i, axis));
       for (const auto& column : p.columns()) append(row, column.values(i));
       table.write(row += '\n');
     }
-    if (const auto* walls = system.model.wall_particles()) write_walls(table, *walls, p, p.size());
+    if (const auto* walls = system.model.wall_particles())
+      write_walls(table, *walls, p, p.size() > 0 ? p.id(p.size() - 1) + 1 : 0);
   });
   table.commit();
 }

@@ -118,6 +118,7 @@ void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureV
   const auto walls = [&] { paint_walls(canvas, picture.walls, inside, wall_thickness * view.scale); };
   if (!picture.liquid) walls();
   paint_particles(canvas, picture, view);
+  paint_solids(canvas, picture, view);
   if (picture.liquid) walls();  // they cut off straight what closes the gaps of the liquid
   paint_marks(canvas, picture, view);
 }
@@ -168,6 +169,18 @@ void Painter::paint_particles(Canvas& canvas, const Picture& picture, const Pict
     discs_.push_back({disc.centre, radius - rim, colour});
   }
   canvas.discs(discs_);
+}
+
+/// Without gaps: they are one body.
+void Painter::paint_solids(Canvas& canvas, const Picture& picture, const PictureView& view) {
+  discs_.clear();
+  const double radius =
+      std::max(wet_growth * picture.radius * view.pixels_per_unit, smallest_disc * view.scale);
+  for (Eigen::Index i = 0; i < picture.solid_x.size(); ++i) {
+    const Disc disc{view.to_pixel(picture.solid_x[i], picture.solid_y[i]), radius, ink::wall};
+    if (is_seen(disc, view.scene)) discs_.push_back(disc);
+  }
+  if (!discs_.empty()) canvas.discs(discs_);
 }
 
 /// Ghosts, neighbours and the chosen particle: rings, so that the particle below stays visible.

@@ -46,9 +46,10 @@ struct Picture {
   Eigen::Array2d lower{0, 0}, upper{1, 1};  ///< corners of the domain [length unit]
   std::string length_unit;                  ///< "px", "m"
   SolidSides walls;
-  Eigen::ArrayXd x, y;   ///< one per particle [length unit]; a particle at NaN or infinity is not painted
-  double radius = 0;     ///< of every particle and ghost [length unit]
-  bool liquid = false;   ///< whether the particles are one liquid: drawn without gaps while they are small
+  Eigen::ArrayXd x, y;  ///< one per particle [length unit]; a particle at NaN or infinity is not painted
+  double radius = 0;    ///< of every particle and ghost [length unit]
+  bool liquid = false;  ///< whether the particles are one liquid: drawn without gaps while they are small
+  Eigen::ArrayXd solid_x, solid_y;  ///< particles of walls, as large as the others [length unit]
   Eigen::ArrayXd value;  ///< one per particle [colours.unit], or empty: one calm colour and no legend
   ColourScale colours;
   std::optional<Ghosts> ghosts;
@@ -84,6 +85,7 @@ class Painter {
   void paint_scene(Canvas& canvas, const Picture& picture, const PictureView& view);
   void paint_cells(Canvas& canvas, const Picture& picture, const PictureView& view);
   void paint_particles(Canvas& canvas, const Picture& picture, const PictureView& view);
+  void paint_solids(Canvas& canvas, const Picture& picture, const PictureView& view);
   void paint_marks(Canvas& canvas, const Picture& picture, const PictureView& view);
 
   std::vector<Disc> discs_;

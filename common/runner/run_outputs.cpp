@@ -30,6 +30,7 @@ RunOutputs::RunOutputs(const Stage& stage, const Options& options, Simulation& s
     : stage_(stage),
       options_(options),
       simulation_(simulation),
+      colour_by_(colouring(simulation, options.colour_by)),
       folder_(options.out ? RunFolder(*options.out, options.force, files_of_run)
                           : RunFolder::by_date(stage.name + "-" + options.scene.value)),
       rows_(options.every.value_or(usual_interval(simulation.dt(), length, simulation.particles().size()))),
@@ -106,7 +107,7 @@ void RunOutputs::with_film(const Act& act) {
 /// Speeds of discs have the range of the whole run, since all of them may rest at its end.
 Picture RunOutputs::picture(bool own_range) const {
   Viewpoint viewpoint;
-  viewpoint.colour_by = simulation_.setup().colour_by;
+  viewpoint.colour_by = colour_by_;
   const bool by_speed = viewpoint.colour_by == "speed" && !simulation_.setup().fluid;
   if (!own_range && by_speed && history_.largest_speed() > 0) viewpoint.range = {0, history_.largest_speed()};
   return describe(stage_.title, simulation_, viewpoint);

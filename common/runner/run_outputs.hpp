@@ -49,6 +49,7 @@ class RunOutputs {
   const Stage& stage_;
   const Options& options_;
   Simulation& simulation_;
+  std::string colour_by_;
   RunFolder folder_;
   Cadence rows_, frames_, vtk_times_;
   Series series_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "common/runner/stopwatch.hpp"
 #include "common/runner/units.hpp"
@@ -16,7 +17,17 @@ constexpr bool always(const Simulation&) { return true; }
 bool is_fluid(const Simulation& s) { return s.setup().fluid.has_value(); }
 bool has_springs(const Simulation& s) { return s.model().has_pairs() && !is_fluid(s); }
 bool has_reference(const Simulation& s) { return s.setup().reference.has_value(); }
+bool has_open_ends(const Simulation& s) { return s.model().has_open_ends(); }
 bool has_sound(const Simulation& s) { return s.sound_speed() > 0 && s.smoothing_length() > 0; }
+
+double mass_of(const Moment& m, long particles) {
+  return static_cast<double>(particles) * m.simulation.particles().uniform_mass;
+}
+/// Since the last row.
+double flow_of(const Moment& m, long particles) {
+  const double time = m.simulation.time() - m.before.time;
+  return time > 0 ? mass_of(m, particles) / time : 0;
+}
 
 constexpr std::array all_columns{
     SeriesColumn{"t", "s", [](const Moment& m) { return m.simulation.time(); }, always},
@@ -42,6 +53,16 @@ constexpr std::array all_columns{
                  always},
     SeriesColumn{"centre_y", "L", [](const Moment& m) { return centre_of_mass(m.simulation.particles()).y; },
                  always},
+    SeriesColumn{"mass_in", "kg/L", [](const Moment& m) { return mass_of(m, m.simulation.system().entered); },
+                 has_open_ends},
+    SeriesColumn{"mass_out", "kg/L", [](const Moment& m) { return mass_of(m, m.simulation.system().left); },
+                 has_open_ends},
+    SeriesColumn{"inflow", "kg/(L s)",
+                 [](const Moment& m) { return flow_of(m, m.simulation.system().entered - m.before.entered); },
+                 has_open_ends},
+    SeriesColumn{"outflow", "kg/(L s)",
+                 [](const Moment& m) { return flow_of(m, m.simulation.system().left - m.before.left); },
+                 has_open_ends},
     SeriesColumn{"max_speed", "L/s", [](const Moment& m) { return max_speed(m.simulation.particles()); },
                  always},
     SeriesColumn{
@@ -80,7 +101,9 @@ Series::Series(const std::filesystem::path& file, const Simulation& simulation)
   file_.write(header += '\n');
 }
 
-void Series::add(const Moment& moment) {
+void Series::add(Moment moment) {
+  const auto& system = moment.simulation.system();
+  moment.before = std::exchange(last_row_, {system.time, system.entered, system.left});
   std::string row;
   for (const auto& column : columns_) {
     const double value = column.value(moment);

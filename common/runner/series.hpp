@@ -16,6 +16,11 @@ struct Moment {
   explicit Moment(Simulation& s) : simulation(s), energy(s.energy()) {}
   Simulation& simulation;
   Energy energy;
+  struct Passed {
+    double time = 0;
+    long entered = 0, left = 0;
+  };
+  Passed before = {};  ///< at the last row: flows are what passed since then
 };
 
 /// A column of series.csv. In `unit`, L stands for the scene's unit of length; a pure number has "1";
@@ -34,7 +39,7 @@ std::string unit_of(const SeriesColumn& column, const Simulation& simulation);
 class Series {
  public:
   Series(const std::filesystem::path& file, const Simulation& simulation);
-  void add(const Moment& moment);
+  void add(Moment moment);
   void close() { file_.commit(); }
 
   [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
@@ -42,6 +47,7 @@ class Series {
  private:
   AtomicFile file_;
   std::vector<SeriesColumn> columns_;
+  Moment::Passed last_row_;
   double last_flush_ = 0;
 };
 

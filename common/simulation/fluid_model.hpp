@@ -4,10 +4,14 @@
 
 #include "common/kernels/kernel.hpp"
 #include "common/laws/dummy_walls.hpp"
+#include "common/laws/hand.hpp"
+#include "common/laws/open_ends.hpp"
 #include "common/neighbours/packs_near.hpp"
 #include "common/simulation/fluid_arrangement.hpp"
+#include "common/simulation/implicit_step.hpp"
 #include "common/simulation/law_set.hpp"
 #include "common/simulation/phase_timer.hpp"
+#include "common/simulation/state_bytes.hpp"
 
 namespace clapotis {
 
@@ -35,14 +39,17 @@ inline None operator+(None /*a*/, None /*b*/) { return {}; }
 template <class Kernel, Law... Laws>
 class FluidModel final : public Model {
  public:
-  /// The scene has stated the parameters of `Fluid`. `walls` may be empty; `period` is that of the plane.
-  FluidModel(Parameters& p, DensityForm form, DummyWalls walls = {}, const Period& period = {})
+  /// The scene has stated the parameters of `Fluid`. `walls` may be empty; `period` is that of the plane;
+  /// open ends need a density that is advanced.
+  FluidModel(Parameters& p, DensityForm form, DummyWalls walls = {}, const Period& period = {},
+             OpenEnds ends = {})
       : laws_(p),
         form_(form),
         fluid_(Fluid::from(p)),
         kernel_(fluid_.h),
         sorted_(kernel_.support(), period),
-        walls_(std::move(walls)) {
+        walls_(std::move(walls)),
+        ends_(std::move(ends)) {
     read(p);
   }
 
@@ -71,8 +78,11 @@ class FluidModel final : public Model {
   }
 
   void settle(System& s, double dt) override {
+    (act_implicitly<Laws>(s, dt), ...);
     laws_.settle(s, dt);
     sorted_.period().wrap(s.position);
+    if (ends_.exist())
+      ends_.renew(s, fluid_.state.sound_speed, [&](Index i) { return energy_of(s.particles, i); });
   }
   void refresh(Parameters& p) override {
     laws_.refresh(p);
@@ -101,6 +111,36 @@ class FluidModel final : public Model {
   [[nodiscard]] const DummyWalls* wall_particles() const override {
     return walls_.size() > 0 ? &walls_ : nullptr;
   }
+  [[nodiscard]] Hand* hand() override {
+    if constexpr ((std::is_same_v<Laws, Hand> || ...))
+      return &laws_.template get<Hand>();
+    else
+      return nullptr;
+  }
+  [[nodiscard]] Vectors obstacles() const override { return obstacles_; }
+  void put_obstacles(const Vectors& places) override {
+    if (obstacles_.rows() == 0) bare_walls_ = walls_.places;
+    obstacles_ = places;
+    Vectors all(bare_walls_.rows() + places.rows(), 2);
+    all << bare_walls_, places;
+    walls_ = DummyWalls(all, fluid_, kernel_.support(), sorted_.period());
+  }
+  void pass_state(StateBytes& state) override {
+    auto obstacles = obstacles_;
+    state(obstacles);
+    if (state.reads() && obstacles.rows() > 0) put_obstacles(obstacles);
+    if (auto* mine = hand())
+      state(mine->touch.at.x, mine->touch.at.y, mine->touch.pull, mine->touch.shake.x, mine->touch.shake.y);
+  }
+  [[nodiscard]] bool has_open_ends() const override { return ends_.exist(); }
+  [[nodiscard]] Column vorticity(const Particles& particles) override {
+    arrange(particles);
+    Column curl(particles.size());
+    for_each(sorted_.slots(), particles.threads, [&](Index slot) {
+      if (!sorted_.is_image(slot)) curl(sorted_.id(slot)) = curl_at(slot);
+    });
+    return curl;
+  }
   [[nodiscard]] std::vector<double> law_seconds(const System& s, int repetitions) override {
     Vectors scratch(s.particles.size(), 2);
     Particles& particles = const_cast<System&>(s).particles;
@@ -115,6 +155,8 @@ class FluidModel final : public Model {
     return sorted_.count_pairs();
   }
   [[nodiscard]] bool has_pairs() const override { return true; }
+  /// Of the law that acts implicitly, in the last step.
+  [[nodiscard]] const Solved& solved() const requires(ActsImplicitly<Laws> || ...) { return solved_; }
   [[nodiscard]] std::size_t bytes() const override { return sorted_.bytes() + walls_.bytes(); }
 
  private:
@@ -125,6 +167,13 @@ class FluidModel final : public Model {
       diffusion_ =
           2 * fluid_.h * fluid_.state.sound_speed *
           p.number({.name = "delta", .symbol = "delta", .unit = "", .value = 0.1, .range = not_negative});
+  }
+
+  /// Of a particle whose density is advanced.
+  [[nodiscard]] double energy_of(const Particles& particles, Index i) const {
+    const Vector v = row(particles.velocity, i);
+    return fluid_.mass * (dot(v, v) / 2 + fluid_.state.energy(particles.density(i))) +
+           laws_.potential(particles, i);
   }
 
   void arrange(const Particles& particles) {
@@ -188,7 +237,8 @@ class FluidModel final : public Model {
   /// d rho_i/dt = rho_i sum_j V_j v_ij.grad W, walls at rest included, and the diffusion of density among the
   /// fluid (Molteni & Colagrossi 2009), from which the hydrostatic part is taken out (Fourtakas et al. 2019):
   ///   2 delta h c sum_j V_j [rho_i - rho_j - rho_0 g.d/c^2] W'/r.
-  /// Returns the power that the diffusion takes: -m p/rho^2 times its rate.
+  /// Returns the power that the diffusion takes: -m p/rho^2 times its rate; where open ends hold the density,
+  /// the power that would have compressed it.
   [[gnu::flatten]] double continuity(Index slot, Column& rate) const {
     const auto& c = sorted_.columns;
     const auto i = c.at(slot);
@@ -207,9 +257,24 @@ class FluidModel final : public Model {
       const Pack volume = load(walls_.columns.volume.data(), at);
       compression += volume * kernel_.slope_over_r(r, inverse) * dot(velocity - walls_.own_velocity(at), d);
     });
-    const double spread = diffusion_ * sum(diffusion);
-    rate(sorted_.id(slot)) = i.density * sum(compression) + spread;
-    return -i.volume * i.pressure / i.density * spread;
+    const double spread = diffusion_ * sum(diffusion), squeezed = i.density * sum(compression);
+    const bool held = ends_.hold(c.position(slot));
+    rate(sorted_.id(slot)) = held ? 0 : squeezed + spread;
+    return i.volume * i.pressure / i.density * (held ? squeezed : -spread);
+  }
+
+  /// curl v = sum_j V_j (v_ij x d) W'/r, z upwards; v_ij = v_i - v_j.
+  [[gnu::flatten]] double curl_at(Index slot) const {
+    const auto& c = sorted_.columns;
+    const auto i = c.at(slot);
+    const Vec<Pack> velocity{Pack(i.velocity.x), Pack(i.velocity.y)};
+    Pack curl(0.0);
+    around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
+      const auto j = c.at(at);
+      const Vec<Pack> v = velocity - j.velocity;
+      curl += j.volume * kernel_.slope_over_r(r, inverse) * (v.x * d.y - v.y * d.x);
+    });
+    return sum(curl);
   }
 
   /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.
@@ -256,10 +321,41 @@ class FluidModel final : public Model {
         acceleration += 1 / fluid_.mass * force;
         power = lost;
       }
+      if (ends_.hold(sorted_.columns.position(slot))) {
+        power += fluid_.mass * dot(acceleration, row(particles.velocity, i));
+        acceleration = {0, 0};
+      }
       a(i, 0) = acceleration.x;
       a(i, 1) = acceleration.y;
       particles.pressure(i) = sorted_.columns.pressure(slot);
       return power;
+    });
+  }
+
+  /// What an implicit law does to the velocities that a step has led to, and the energy it takes out of them.
+  /// The forces of the other laws must not depend on velocities: those that an integrator keeps for its next
+  /// step would not belong to the new ones.
+  template <class L>
+  void act_implicitly(System& s, double dt) {
+    if constexpr (ActsImplicitly<L>) {
+      static_assert(!(takes_energy<Laws> || ...),
+                    "Beside an implicit law no explicit one may depend on the velocities of pairs.");
+      {
+        const PhaseTimer timer(timed, seconds.neighbours);
+        sorted_.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
+      }
+      const PhaseTimer timer(timed, seconds.forces);
+      const auto& law = laws_.template get<L>();
+      const double before = kinetic_energy(s.particles);
+      const FrictionSweep sweep(law, kernel_, sorted_, walls_, dt / fluid_.mass, s.particles.threads);
+      solved_ = solve_implicitly(sweep, s.velocity, law.tolerance, s.particles.threads);
+      s.dissipated_energy += before - kinetic_energy(s.particles);
+    }
+  }
+  static double kinetic_energy(const Particles& p) {
+    return sum_over(p.size(), threads_for_little(p.size(), p.threads), [&](Index i, std::size_t) {
+      const Vector v = row(p.velocity, i);
+      return p.mass(i) / 2 * dot(v, v);
     });
   }
 
@@ -312,6 +408,11 @@ class FluidModel final : public Model {
     return {i.volume * total, i.volume * lost, at_one_point};
   }
 
+  template <class L>
+  static constexpr bool takes_energy = requires {
+    requires L::dissipates;
+  };
+
   // One law in a sum; None where it has no such hook.
   template <class L>
   static auto stress(const L& law, const auto& i, const auto& j, const Meeting& ij) {
@@ -344,7 +445,7 @@ class FluidModel final : public Model {
   /// What the pair's forces do to its motion, for the laws that take energy out of it.
   template <class L>
   static auto loss(const L& law, const auto& i, const auto& j, const Meeting& ij, const Vec<Pack>& v) {
-    if constexpr (!requires { requires L::dissipates; })
+    if constexpr (!takes_energy<L>)
       return None{};
     else if constexpr (ActsByStress<L>)
       return Pack(law.stress(i, j, ij) * ij.approach);
@@ -365,9 +466,12 @@ class FluidModel final : public Model {
   Kernel kernel_;
   FluidArrangement sorted_;
   DummyWalls walls_;
-  Vector gravity_{0, 0};  ///< [L/s^2]
-  double diffusion_ = 0;  ///< 2 delta h c [L^2/s]
+  OpenEnds ends_;
+  Vectors bare_walls_{0, 2}, obstacles_{0, 2};  ///< what the walls are made of, where obstacles were drawn
+  Vector gravity_{0, 0};                        ///< [L/s^2]
+  double diffusion_ = 0;                        ///< 2 delta h c [L^2/s]
   std::atomic<long long> met_at_one_point_ = 0;
+  [[no_unique_address]] std::conditional_t<(ActsImplicitly<Laws> || ...), Solved, None> solved_;
 };
 
 }  // namespace clapotis

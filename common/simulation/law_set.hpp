@@ -18,10 +18,14 @@ template <class Mass, Law... Laws>
 class LawSet {
  public:
   explicit LawSet(Parameters& parameters) : laws_{Laws::from(parameters)...} {}
-  void refresh(Parameters& parameters) { laws_ = {Laws::from(parameters)...}; }
+  void refresh(Parameters& parameters) { laws_ = {again(get<Laws>(), parameters)...}; }
 
   template <class L>
   [[nodiscard]] const L& get() const {
+    return std::get<L>(laws_);
+  }
+  template <class L>
+  [[nodiscard]] L& get() {
     return std::get<L>(laws_);
   }
   template <class Act>
@@ -70,16 +74,18 @@ class LawSet {
     }
   }
   [[nodiscard]] double potential(const Particles& particles) const {
-    const auto p = view_of<Mass>(particles);
     return sum_over(particles.size(), threads_for_little(particles.size(), particles.threads),
-                    [&](Index i, std::size_t) {
-                      return sum([&](const auto& law) {
-                        if constexpr (requires { law.potential(p, i); })
-                          return law.potential(p, i);
-                        else
-                          return 0.0;
-                      });
-                    });
+                    [&](Index i, std::size_t) { return potential(particles, i); });
+  }
+  /// Of particle i alone.
+  [[nodiscard]] double potential(const Particles& particles, Index i) const {
+    const auto p = view_of<Mass>(particles);
+    return sum([&](const auto& law) {
+      if constexpr (requires { law.potential(p, i); })
+        return law.potential(p, i);
+      else
+        return 0.0;
+    });
   }
   void settle(System& s, double dt) {
     const auto settle_one = [&](auto& law) {
@@ -104,6 +110,15 @@ class LawSet {
   }
 
  private:
+  /// The law with its parameters read again; one that holds more than these says how.
+  template <class L>
+  static L again(const L& law, Parameters& parameters) {
+    if constexpr (requires { law.with(parameters); })
+      return law.with(parameters);
+    else
+      return L::from(parameters);
+  }
+
   std::tuple<Laws...> laws_;
 };
 

@@ -13,6 +13,7 @@ namespace clapotis {
 
 struct System;
 struct DummyWalls;
+struct Hand;
 class Parameters;
 class StateBytes;
 
@@ -80,6 +81,17 @@ class Model {
 
   /// The particles that walls are made of; null where there are none.
   [[nodiscard]] virtual const DummyWalls* wall_particles() const { return nullptr; }
+
+  /// The hand in the liquid; null in a scene without one.
+  [[nodiscard]] virtual Hand* hand() { return nullptr; }
+  [[nodiscard]] const Hand* hand() const { return const_cast<Model*>(this)->hand(); }
+  /// Where the particles of drawn obstacles are [L]; they act as those of the walls do.
+  [[nodiscard]] virtual Vectors obstacles() const { return Vectors(0, 2); }
+  virtual void put_obstacles(const Vectors& /*places*/) {}
+  /// Whether liquid enters or leaves.
+  [[nodiscard]] virtual bool has_open_ends() const { return false; }
+  /// curl v at each particle of a liquid [1/s]; none elsewhere.
+  [[nodiscard]] virtual Column vorticity(const Particles& /*particles*/) { return {}; }
 
   /// Seconds of one evaluation of each law alone on the state as it stands: the median of `repetitions`.
   [[nodiscard]] virtual std::vector<double> law_seconds(const System& system, int repetitions) = 0;

@@ -23,13 +23,13 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& na
   return near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
 }
 
-std::string joined(const std::vector<std::string>& names) {
+}  // namespace
+
+std::string joined(const std::vector<std::string>& names, std::string_view between) {
   std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const auto& name : names) text.append(text.empty() ? "" : between).append(name);
   return text;
 }
-
-}  // namespace
 
 void from_place(std::string_view place, const std::function<void()>& read) {
   try {
@@ -83,13 +83,22 @@ double parse_number(std::string_view what, std::string_view text, std::string_vi
 
 std::string Parameter::text() const {
   if (!choices.empty()) return choices[static_cast<std::size_t>(value)];
+  if (list) {
+    std::vector<std::string> entries;
+    for (const double entry : values) entries.push_back(to_text(entry));
+    return entries.empty() ? "none" : joined(entries, ",");
+  }
   return automatic && std::isnan(value) ? "auto" : to_text(value);
 }
 
 std::string Parameter::allowed() const {
   if (!choices.empty()) return joined(choices);
   const auto unit_text = unit.empty() ? "" : " " + unit;
-  return range.text() + unit_text + (automatic ? std::string(words().or_auto) : "");
+  return range.text() + unit_text + form();
+}
+
+std::string Parameter::form() const {
+  return std::string(automatic ? words().or_auto : list ? words().each_or_none : "");
 }
 
 double Parameter::parse(std::string_view text) const {
@@ -109,6 +118,24 @@ double Parameter::parse(std::string_view text) const {
   if (!range.contains(number)) refuse(words().value_out_of_range);
   if (integer && number != std::floor(number)) refuse(words().not_an_integer);
   return number;
+}
+
+void Parameter::read(std::string_view text) {
+  if (!list) {
+    value = parse(text);
+    return;
+  }
+  std::vector<double> entries;
+  for (std::size_t at = 0; text != "none" && at <= text.size();) {
+    const auto end = std::min(text.find(',', at), text.size());
+    const double entry = parse(text.substr(at, end - at));
+    if (std::find(entries.begin(), entries.end(), entry) != entries.end())
+      throw BadInput(say(words().entry_twice, fmt::arg("name", name), fmt::arg("value", text),
+                         fmt::arg("entry", to_text(entry))));
+    entries.push_back(entry);
+    at = end + 1;
+  }
+  values = std::move(entries);
 }
 
 Parameters::Parameters(std::string length_unit, Defaults defaults, Overrides overrides)
@@ -135,7 +162,7 @@ Parameter& Parameters::note(Parameter p) {
   if (auto* known = entry(p.name)) return *known;
   p.unit = replace_length(p.unit, length_unit_);
   if (const auto preset = defaults_.find(p.name); preset != defaults_.end()) {
-    p.value = p.parse(preset->second);
+    p.read(preset->second);
     p.origin = Origin::scene;
   }
   if (const auto given = overrides_.find(p.name); given != overrides_.end()) {
@@ -145,7 +172,7 @@ Parameter& Parameters::note(Parameter p) {
       if (!unit.empty() && unit != p.unit)
         throw BadInput(say(words().other_unit, fmt::arg("name", p.name), fmt::arg("value", text),
                            fmt::arg("given", unit), fmt::arg("unit", p.unit)));
-      p.value = p.parse(text);
+      p.read(text);
     });
     p.origin = origin;
   }
@@ -162,6 +189,11 @@ long Parameters::integer(Parameter p) {
 
 std::string Parameters::choice(Parameter p) { return note(std::move(p)).text(); }
 
+std::vector<double> Parameters::numbers(Parameter p) {
+  p.list = true;
+  return note(std::move(p)).values;
+}
+
 void Parameters::derive(Parameter p, double value) {
   p.derived = true;
   note(std::move(p)).value = value;
@@ -171,7 +203,7 @@ void Parameters::set(std::string_view name, std::string_view text, Origin origin
   auto* known = entry(name);
   if (known == nullptr) refuse_unknown(name);
   if (known->derived) throw BadInput(say(words().derived_parameter, fmt::arg("name", name)));
-  known->value = known->parse(text);
+  known->read(text);
   known->origin = origin;
   overrides_.insert_or_assign(std::string(name), Override{std::string(text), origin});
 }

@@ -33,6 +33,7 @@ inline constexpr Range not_negative{.low = 0};
 /// A parameter of a scene, as written once by the law or the scene that uses it. In `unit`, L stands for the
 /// scene's unit of length (px or m). A choice has `choices` and its value is the place in that list; an
 /// integer takes whole numbers; `automatic` also takes the word "auto" (value NaN, computed by the program).
+/// A list has `values`, each in `range` and no two alike, written 0.1,0.5 or "none".
 struct Parameter {
   std::string name, symbol, unit;
   double value = 0;
@@ -41,13 +42,18 @@ struct Parameter {
   bool integer = false;
   bool automatic = false;
   std::vector<std::string> choices = {};
+  bool list = false;
+  std::vector<double> values = {};
   bool derived = false;  ///< a result of other parameters: shown and recorded, never set
   Origin origin = Origin::law;
 
   [[nodiscard]] std::string text() const;     ///< the value as a user would type it
   [[nodiscard]] std::string allowed() const;  ///< the allowed values with the unit, for a sentence
-  [[nodiscard]] double parse(
-      std::string_view text) const;  ///< throws BadInput: what, where, value, range, unit
+  [[nodiscard]] std::string form() const;     ///< what a number may be beside its range: "" or ", or auto"
+  /// Of one value. Throws BadInput: what, where, value, range, unit.
+  [[nodiscard]] double parse(std::string_view text) const;
+  /// Takes what a user types, one value or a list; throws BadInput, and changes nothing then.
+  void read(std::string_view text);
 };
 
 /// Values given by the user, by name; not yet checked.
@@ -74,6 +80,8 @@ class Parameters {
   long integer(Parameter p);
   /// The chosen word, one of `p.choices`; the default is the first, or the scene's.
   std::string choice(Parameter p);
+  /// The numbers of a list; none unless the scene or the user names some.
+  std::vector<double> numbers(Parameter p);
   /// Notes a result of other parameters.
   void derive(Parameter p, double value);
 
@@ -107,6 +115,9 @@ class Parameters {
 /// The name in `names` that is the fewest edits away from `word`, or that contains it; empty when none is
 /// near.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
+
+/// The names in a row.
+std::string joined(const std::vector<std::string>& names, std::string_view between = ", ");
 
 /// "there is no KIND NAME; there is: ...", with the nearest of the known names.
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known);

@@ -14,4 +14,21 @@ const Scene& Stage::scene(std::string_view wanted) const& {
   throw BadInput(unknown_name("scene", wanted, names));
 }
 
+Overrides Scene::preset(std::string_view wanted, Origin origin) const {
+  std::vector<std::string> names;
+  for (const auto& preset : presets) {
+    names.push_back(preset.name);
+    if (preset.name != wanted) continue;
+    Overrides values;
+    for (const auto& [parameter, text] : preset.values) values.emplace(parameter, Override{text, origin});
+    return values;
+  }
+  throw BadInput(unknown_name("preset", wanted, names));
+}
+
+Matter Stage::matter() const {
+  Parameters p(scenes.front().length_unit, scenes.front().defaults, {});
+  return scenes.front().build(p).matter();
+}
+
 }  // namespace clapotis

@@ -50,6 +50,14 @@ struct Setup {
   std::vector<Measure> measures = {};  ///< what the scene is about, besides energies: columns of series.csv
   bool locate_impacts = false;         ///< find each impact inside the step, instead of clamping after it
   std::string colour_by = "speed";     ///< what pictures of the scene show first: see `colourings`
+
+  [[nodiscard]] Matter matter() const { return fluid ? Matter::liquid : Matter::particles; }
+};
+
+/// A set of values that shows something about a scene, by name, in place of its own defaults.
+struct Preset {
+  std::string name;
+  Defaults values;
 };
 
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all
@@ -59,6 +67,10 @@ struct Scene {
   std::string length_unit;  ///< "px" or "m"
   Defaults defaults;        ///< where they differ from those of the laws
   std::function<Setup(Parameters&)> build;
+  std::vector<Preset> presets = {};
+
+  /// Its values, as given by `origin`; throws BadInput with the nearest name.
+  [[nodiscard]] Overrides preset(std::string_view wanted, Origin origin) const;
 };
 
 /// A stage of the course: a program of its own.
@@ -70,6 +82,8 @@ struct Stage {
   /// The scene of that name, the first one for an empty name; throws BadInput with the nearest name.
   [[nodiscard]] const Scene& scene(std::string_view wanted) const&;
   [[nodiscard]] Scene scene(std::string_view wanted) && { return scene(wanted); }  // of a temporary: a copy
+  /// What moves in its scenes.
+  [[nodiscard]] Matter matter() const;
 };
 
 }  // namespace clapotis

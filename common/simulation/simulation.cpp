@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/integrators/bogacki_shampine.hpp"
 #include "common/integrators/located_impacts.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/simulation/time_step.hpp"
@@ -32,7 +33,7 @@ struct Simulation::Checkpoint {
   Particles particles;
   double time, dissipated, dissipation;
   bool current;
-  long force_evaluations, steps;
+  long force_evaluations, steps, entered, left;
   Clock clock;
   long long coincident, folded;
 };
@@ -45,6 +46,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
       setup_(scene.build(parameters_)) {
   parameters_.number(step_parameter);
   parameters_.number(cfl_parameter);
+  if (setup_.matter() == Matter::particles) parameters_.number(tolerance_parameter);
   parameters_.reject_unknown();
   if (threads < 1) throw BadInput(say(words().threads_out_of_range, fmt::arg("value", threads)));
   setup_.particles.threads = threads;
@@ -56,7 +58,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   }
   choose_step();
   bound_speed();
-  if (const auto* broken = broken_limit(dt_, limits_))
+  if (const auto* broken = broken_limit(dt_, limits_); broken != nullptr && !integrator_->controls_error())
     warnings_.push_back(about(words().beyond_limit, dt_, *broken));
   keep();
 }
@@ -64,10 +66,11 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
 Simulation::~Simulation() = default;
 
 void Simulation::use_integrator(std::string_view name) {
-  auto scheme = make_integrator(name);
+  auto scheme = make_integrator(name, setup_.matter());
   integrator_.reset();
   integrator_ = setup_.locate_impacts ? std::make_unique<LocatedImpacts>(std::move(scheme), *system_)
                                       : std::move(scheme);
+  integrator_->read(parameters_);
   integrator_name_ = name;
   system_->current = false;
   if (checkpoint_) keep();
@@ -104,15 +107,30 @@ void Simulation::set(std::string_view name, std::string_view value, Origin origi
   try {
     parameters_.set(name, value, origin);
     setup_.model->refresh(parameters_);
+    integrator_->read(parameters_);
     choose_step();
     bound_speed();
   } catch (...) {
     parameters_ = before;
     setup_.model->refresh(parameters_);
+    integrator_->read(parameters_);
     throw;
   }
   note_change(name, value, origin);
   system_->current = false;
+  keep();
+}
+
+void Simulation::edit(const std::function<void(System&)>& change) {
+  auto& s = *system_;
+  const double before = energy().mechanical();
+  change(s);
+  s.dissipated_energy += before - energy().mechanical();
+  setup_.reference.reset();
+  s.evaluate(s.time);
+  s.current = true;
+  choose_step();
+  bound_speed();
   keep();
 }
 
@@ -140,7 +158,7 @@ void Simulation::advance(double dt) {
   if (!s.current) s.evaluate(s.time);
   s.current = true;
   integrator_->step(s, dt);
-  const double integrated = model.timed ? seconds_since(start) : 0;
+  const double integrated = model.timed ? seconds_since(start) - model.seconds.total() : 0;
   model.settle(s, dt);
   s.current = integrator_->leaves_acceleration();
   if (dt != clock_.dt) clock_ = {s.time, dt, 0};
@@ -151,8 +169,8 @@ void Simulation::advance(double dt) {
     cost_.neighbours += timed_every * model.seconds.neighbours;
     cost_.density += timed_every * model.seconds.density;
     cost_.forces += timed_every * model.seconds.forces;
-    cost_.integration += timed_every * (integrated - model.seconds.total());
-    cost_.walls += timed_every * (settled - integrated + model.seconds.walls);
+    cost_.integration += timed_every * integrated;
+    cost_.walls += timed_every * (settled - integrated - model.seconds.total() + model.seconds.walls);
     model.seconds = {};
     model.timed = false;  // what comes between two steps does not count
   }
@@ -184,10 +202,11 @@ void Simulation::check(double dt) {
                                               fmt::arg("dt", fmt::format("{:.4g}", dt))));
   const long step = steps_;
   const double t = time();
+  const Index id = particles().id(particle);
   go_back(step - 1);
   throw Diverged(say(words().diverged, fmt::arg("step", step), fmt::arg("time", fmt::format("{:.6g}", t)),
-                     fmt::arg("particle", particle), fmt::arg("cause", cause)),
-                 step, t, particle);
+                     fmt::arg("particle", id), fmt::arg("cause", cause)),
+                 step, t, id);
 }
 
 void Simulation::keep() {
@@ -200,6 +219,8 @@ void Simulation::keep() {
   c.dissipation = s.dissipation;
   c.current = s.current;
   c.force_evaluations = s.force_evaluations;
+  c.entered = s.entered;
+  c.left = s.left;
   c.steps = steps_;
   c.clock = clock_;
   c.coincident = s.model.coincident;
@@ -217,6 +238,8 @@ void Simulation::go_back(long steps) {
   s.dissipation = c.dissipation;
   s.current = c.current;
   s.force_evaluations = c.force_evaluations;
+  s.entered = c.entered;
+  s.left = c.left;
   clock_ = c.clock;
   s.model.coincident = c.coincident;
   s.model.folded = c.folded;
@@ -254,7 +277,8 @@ std::vector<std::string> Simulation::warnings() const {
 }
 
 double Simulation::bytes_per_particle() const {
-  return static_cast<double>(particles().bytes() + model().bytes()) / static_cast<double>(particles().size());
+  return static_cast<double>(particles().bytes() + model().bytes()) /
+         static_cast<double>(std::max<Index>(particles().size(), 1));
 }
 
 }  // namespace clapotis

@@ -36,6 +36,9 @@ class Simulation {
   /// that needs a restart is changed by building a new Simulation from `parameters().overrides()`.
   void set(std::string_view name, std::string_view value, Origin origin = Origin::window);
   void use_integrator(std::string_view name);
+  /// Changes the state by hand, between two steps; `change` may add and remove particles and obstacles. The
+  /// energy that it brings counts as negative dissipation, and there is no reference any more.
+  void edit(const std::function<void(System&)>& change);
 
   /// Writes all that the next steps depend on, or reads it: the run then goes on from there with the bits
   /// that it would have had. Reading is for a simulation built from the same scene, `built_from` and
@@ -74,6 +77,7 @@ class Simulation {
   /// What the user had asked for when the scene was built; live changes since then are not in it.
   [[nodiscard]] const Overrides& built_from() const { return built_from_; }
   [[nodiscard]] const std::string& integrator() const { return integrator_name_; }
+  [[nodiscard]] bool controls_error() const { return integrator_->controls_error(); }
   [[nodiscard]] int threads() const { return particles().threads; }
   /// Memory of the columns and of the model, over the number of particles [byte].
   [[nodiscard]] double bytes_per_particle() const;

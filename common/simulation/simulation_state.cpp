@@ -1,3 +1,4 @@
+#include "common/integrators/bogacki_shampine.hpp"
 #include "common/simulation/simulation.hpp"
 #include "common/simulation/time_step.hpp"
 
@@ -11,7 +12,7 @@ void pass_particles(StateBytes& state, Particles& particles) {
   const auto own = names;
   state(particles.uniform_mass, names);
   if (names != own) throw ForeignState("the particles have other columns");
-  particles.each_column(state);
+  particles.pass_state(state);
 }
 
 }  // namespace
@@ -19,7 +20,8 @@ void pass_particles(StateBytes& state, Particles& particles) {
 /// What changed while the scene ran: the last value of each, and a reference that was for other values is
 /// not one any more.
 void Simulation::note_change(std::string_view name, std::string_view value, Origin origin) {
-  if (name != step_parameter.name && name != cfl_parameter.name) setup_.reference.reset();
+  if (name != step_parameter.name && name != cfl_parameter.name && name != tolerance_parameter.name)
+    setup_.reference.reset();
   std::erase_if(changes_, [&](const LiveChange& change) { return change.name == name; });
   changes_.push_back({std::string(name), std::string(value), origin});
 }
@@ -36,7 +38,9 @@ void Simulation::pass_changes(StateBytes& state) {
     parameters_.set(change.name, change.value, change.origin);
     note_change(change.name, change.value, change.origin);
   }
-  if (state.reads() && count > 0) setup_.model->refresh(parameters_);
+  if (!state.reads() || count == 0) return;
+  setup_.model->refresh(parameters_);
+  integrator_->read(parameters_);
 }
 
 void Simulation::pass_state(StateBytes& state) {
@@ -44,11 +48,15 @@ void Simulation::pass_state(StateBytes& state) {
   auto& model = *setup_.model;
   pass_changes(state);
   pass_particles(state, s.particles);
-  state(s.time, s.dissipated_energy, s.dissipation, s.diffusion, s.force_evaluations, s.current);
+  state(s.time, s.dissipated_energy, s.dissipation, s.diffusion, s.force_evaluations, s.entered, s.left,
+        s.current);
   double dt = dt_;
   state(steps_, clock_.start, clock_.dt, clock_.steps, dt, fastest_);
   state(model.coincident, model.folded);
   model.pass_state(state);
+  bool referred = setup_.reference.has_value();  // it is none after an edit by hand
+  state(referred);
+  if (!referred) setup_.reference.reset();
   state.end();
   if (!state.reads()) return;
   choose_step();  // the limits

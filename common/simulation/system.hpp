@@ -22,7 +22,8 @@ struct System {
   double dissipation = 0;        ///< its rate, by the laws that act at every instant [energy/s]
   double diffusion = 0;  ///< its rate by the diffusion of density, at the last `evaluate_density_rate`
   long force_evaluations = 0;
-  bool current = false;  ///< whether acceleration and dissipation belong to the state as it stands
+  long entered = 0, left = 0;  ///< particles, through inlets and outlets, since the start
+  bool current = false;        ///< whether acceleration and dissipation belong to the state as it stands
   /// Takes out of the acceleration what a wall bears; empty but for a particle that can rest on one.
   std::function<void(System&)> bear;
 

@@ -79,7 +79,7 @@ void lay_out_divergence(WindowState& state, const Box& area, Controls& controls)
   ImGui::AlignTextToFramePadding();
   text(w().try_another);
   std::string other;
-  for (const auto& name : integrator_names()) {
+  for (const auto& name : integrator_names(state.session.simulation().setup().matter())) {
     if (name == state.session.simulation().integrator()) continue;
     if (ImGui::GetItemRectMax().x + ImGui::CalcTextSize(name.c_str()).x + 3 * ImGui::GetFrameHeight() <
         ImGui::GetWindowPos().x + text_room(area, state.scale))
@@ -138,6 +138,7 @@ void lay_out_help(WindowState& state, const Box& area) {
     }
   }
   lines.emplace_back(w().key_click, w().does_select);
+  lines.emplace_back(w().key_right, w().does_right);
   lines.emplace_back(w().key_wheel, w().does_zoom);
   lines.emplace_back(w().key_middle_drag, w().does_pan);
   lines.emplace_back(w().key_control_click, w().does_type);

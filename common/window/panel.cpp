@@ -1,6 +1,9 @@
 #include "common/window/panel.hpp"
 
+#include <array>
+
 #include "common/runner/ticks.hpp"
+#include "common/simulation/tools.hpp"
 #include "common/window/step_light.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
@@ -64,6 +67,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
   parameters(state);
   time_step(state);
   view(state);
+  mouse(state);
   record(state);
   cost(state);
   ImGui::End();
@@ -145,9 +149,15 @@ void Panel::scene(WindowState& state) {
   for (const auto& scene : session.stage().scenes) names.push_back(scene.name);
   if (const auto k = list(state, "scene", w().scene, names, names[session.scene()]))
     state.attempt([&] { session.choose_scene(*k); });
+  names.clear();
+  for (const auto& preset : session.simulation().scene().presets) names.push_back(preset.name);
+  if (!names.empty())
+    if (const auto k = list(state, "preset", w().preset, names, session.preset()))
+      state.attempt([&] { session.choose_preset(names[*k]); });
   const auto integrator = session.simulation().integrator();
-  if (const auto k = list(state, "integrator", w().integrator, integrator_names(), integrator))
-    state.attempt([&] { session.choose_integrator(integrator_names()[*k]); });
+  const auto& integrators = integrator_names(session.simulation().setup().matter());
+  if (const auto k = list(state, "integrator", w().integrator, integrators, integrator))
+    state.attempt([&] { session.choose_integrator(integrators[*k]); });
   const float whole = ImGui::GetContentRegionAvail().x;
   rows_.steppers(state, controls_, ImGui::GetCursorPosX() + label_width * whole, (1 - label_width) * whole);
 }
@@ -214,19 +224,48 @@ void Panel::view(WindowState& state) {
   tick("plots", w().plots, sight.plots);
 }
 
+/// What the left button does, where there is a hand.
+void Panel::mouse(WindowState& state) {
+  if (!has_hand(state.session.simulation())) return;
+  heading(w().mouse);
+  const std::array labels{w().tool_probe, w().tool_pull,     w().tool_push, w().tool_add,
+                          w().tool_erase, w().tool_obstacle, w().tool_grab};
+  constexpr std::size_t in_a_line = 4;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - (in_a_line - 1) * gap) / in_a_line;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (k % in_a_line > 0) ImGui::SameLine();
+    const bool chosen = state.tool == static_cast<Tool>(k);
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (button(std::string("tool:") + tool_names[k], labels[k], width)) state.tool = static_cast<Tool>(k);
+    if (chosen) ImGui::PopStyleColor();
+  }
+}
+
 /// Low, so that the whole panel of a cloud is seen in a window of 720 rows.
 void Panel::record(WindowState& state) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
-  const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
-  if (button("picture", w().picture, width)) state.picture_wanted = true;
-  ImGui::SameLine();
-  if (button("video", state.recorder.recording() ? w().stop_video : w().video, width)) state.toggle_video();
-  ImGui::SameLine();
-  if (button("save", w().save, width)) state.save();
-  ImGui::SameLine();
-  ImGui::BeginDisabled(state.recorder.saved().empty());
-  if (button("restore", w().restore, width)) state.restore();
-  ImGui::EndDisabled();
+  const float gap = ImGui::GetStyle().ItemSpacing.x, whole = ImGui::GetContentRegionAvail().x;
+  const std::array labels{w().picture, state.recorder.recording() ? w().stop_video : w().video,
+                          w().table,   w().grid_file,
+                          w().save,    w().restore};
+  constexpr std::array names{"picture", "video", "table", "grid_file", "save", "restore"};
+  float letters = 0;
+  for (const auto label : labels) letters += ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+  const float margins = (whole - letters) / static_cast<float>(labels.size()) - gap;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::max(margins / 2, 2.0F), 0});
+  const std::array acts{+[](WindowState& s) { s.picture_wanted = true; },
+                        +[](WindowState& s) { s.toggle_video(); },
+                        +[](WindowState& s) { s.write_table(); },
+                        +[](WindowState& s) { s.write_grid(); },
+                        +[](WindowState& s) { s.save(); },
+                        +[](WindowState& s) { s.restore(); }};
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (k > 0) ImGui::SameLine();
+    const bool nothing_saved = k + 1 == labels.size() && state.recorder.saved().empty();
+    ImGui::BeginDisabled(nothing_saved);
+    if (button(names[k], labels[k], 0)) acts[k](state);
+    ImGui::EndDisabled();
+  }
   ImGui::PopStyleVar();
 }
 

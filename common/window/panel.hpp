@@ -24,6 +24,7 @@ class Panel {
   void parameters(WindowState& state);
   void time_step(WindowState& state);
   void view(WindowState& state);
+  void mouse(WindowState& state);
   void record(WindowState& state);
   void cost(WindowState& state);
   /// A list to choose from; the place of the one that was chosen now. `share` of the panel's width.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "common/integrators/bogacki_shampine.hpp"
 #include "common/simulation/time_step.hpp"
 #include "common/window/slider_span.hpp"
 #include "common/window/theme.hpp"
@@ -37,7 +38,9 @@ void ParameterRows::tooltip(const Parameter& p) const {
 
 ParameterRows::Group ParameterRows::group_of(const Parameter& parameter) {
   if (has_no_end(parameter)) return Group::stepped;
-  if (parameter.name == step_parameter.name || parameter.name == cfl_parameter.name) return Group::time_step;
+  if (parameter.name == step_parameter.name || parameter.name == cfl_parameter.name ||
+      parameter.name == tolerance_parameter.name)
+    return Group::time_step;
   return parameter.change == Change::live && !parameter.derived ? Group::live : Group::restart;
 }
 
@@ -47,8 +50,10 @@ void ParameterRows::lay_out(WindowState& state, Controls& controls, Group group)
     const bool moves = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsAnyMouseDown();
     still_ = moves ? 0 : still_ + static_cast<double>(io.DeltaTime);
   }
-  for (const auto& parameter : state.session.simulation().parameters().all()) {
+  const auto& simulation = state.session.simulation();
+  for (const auto& parameter : simulation.parameters().all()) {
     if (group_of(parameter) != group) continue;
+    if (parameter.name == tolerance_parameter.name && !simulation.controls_error()) continue;
     ImGui::PushID(parameter.name.c_str());
     row(state, controls, parameter);
     ImGui::PopID();
@@ -94,6 +99,7 @@ void ParameterRows::field(WindowState& state, const Parameter& parameter, float 
   ImGui::SetNextItemWidth(width);
   if (!parameter.choices.empty()) return choice(state, parameter);
   if (state.typing == parameter.name) return text_field(state, parameter);
+  if (parameter.list) return text_button(state, parameter, width);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 opposite{corner.x + width, corner.y + ImGui::GetFrameHeight()};
   const bool on_it = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, opposite);
@@ -154,6 +160,11 @@ void ParameterRows::text_field(WindowState& state, const Parameter& parameter) {
   if (entered || (!first && ImGui::IsItemDeactivated())) state.typing.clear();
 }
 
+/// Shows the value; a click turns it into a field.
+void ParameterRows::text_button(WindowState& state, const Parameter& parameter, float width) {
+  if (ImGui::Button((parameter.text() + "##text").c_str(), {width, 0})) type(state, parameter);
+}
+
 void ParameterRows::choice(WindowState& state, const Parameter& parameter) {
   const auto now = static_cast<std::size_t>(parameter.value);
   if (!ImGui::BeginCombo("##choice", parameter.choices[now].c_str())) return;
@@ -191,8 +202,8 @@ void ParameterRows::steppers(WindowState& state, Controls& controls, float start
     ImGui::SetNextItemWidth(middle);
     if (state.typing == parameter.name) {
       text_field(state, parameter);
-    } else if (ImGui::Button((parameter.text() + "##text").c_str(), {middle, 0})) {
-      type(state, parameter);
+    } else {
+      text_button(state, parameter, middle);
     }
     controls.name_last(parameter.name);
     ImGui::SameLine(0, gap);

@@ -38,11 +38,12 @@ class ParameterRows {
   void choice(WindowState& state, const Parameter& parameter);
   void automatic(WindowState& state, const Parameter& parameter);
   void type(WindowState& state, const Parameter& parameter);
+  void text_button(WindowState& state, const Parameter& parameter, float width);
   void text_field(WindowState& state, const Parameter& parameter);
   void apply(WindowState& state);
   void tooltip(const Parameter& parameter) const;
 
-  std::array<char, 64> text_{};     ///< what is being typed
+  std::array<char, 256> text_{};    ///< what is being typed
   double still_ = 0;                ///< for how long the mouse has been at rest [s]
   bool focus_ = false;              ///< the text field has just appeared
   std::optional<Wanted> wanted_;    ///< what the user asked for in this frame

@@ -43,13 +43,13 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   auto& sight = state.sight;
-  if (sight.viewpoint.chosen && *sight.viewpoint.chosen >= simulation.particles().size())
+  if (sight.viewpoint.chosen && !simulation.particles().place_of(*sight.viewpoint.chosen))
     sight.viewpoint.chosen.reset();
   picture_ = describe(session.stage().title, simulation, sight.viewpoint);
   picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
                                   step_text(simulation), simulation.particles().size());
   if (picture_.chosen)  // the probe says the rest
-    picture_.chosen->label = say(words().window.particle, fmt::arg("id", picture_.chosen->particle));
+    picture_.chosen->label = say(words().window.particle, fmt::arg("id", *sight.viewpoint.chosen));
   if (picture_.value.size() > 0) {
     auto& [label, unit, lo, hi, map] = picture_.colours;
     std::tie(lo, hi) = sight.colour_range.follow(lo, hi);
@@ -62,6 +62,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   canvas.clip(view_.scene);
   if (sight.vectors) paint_velocities(canvas, state);
   if (sight.viewpoint.chosen) paint_probe(canvas, state);
+  paint_brush(canvas, state);
   canvas.unclip();
   plots_ = plots(session.history(), simulation);
   if (plots_height < 60 * scale) return;
@@ -97,6 +98,14 @@ void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
   paint_arrow_key(canvas, state, high);
 }
 
+/// How far the tool reaches.
+void SceneView::paint_brush(Canvas& canvas, const WindowState& state) {
+  const double radius = brush_radius(state.session.simulation(), state.tool) * view_.pixels_per_unit;
+  if (!state.mouse || radius == 0) return;
+  const double rim = 2 * state.scale;
+  canvas.discs(std::array{Disc{*state.mouse, radius, ink::chosen, radius - rim}});
+}
+
 /// In a corner of the scene: how long the arrow of a round speed is.
 void SceneView::paint_arrow_key(Canvas& canvas, const WindowState& state, double speed) {
   const double scale = state.scale, margin = 10 * scale, height = 16 * scale, length = longest_arrow * scale;
@@ -117,8 +126,8 @@ void SceneView::paint_arrow_key(Canvas& canvas, const WindowState& state, double
 void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
   auto& simulation = state.session.simulation();
   const auto& w = words().window;
-  const Index i = *state.sight.viewpoint.chosen;
   const auto& particles = simulation.particles();
+  const Index id = *state.sight.viewpoint.chosen, i = *particles.place_of(id);
   const std::string unit = simulation.scene().length_unit;
   Vector acceleration{0, 0};
   simulation.look([&](const System& system) { acceleration = row(system.acceleration, i); });
@@ -137,8 +146,8 @@ void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
                     say(w.near, fmt::arg("count", around->neighbours.size())));
   }
   const double scale = state.scale, height = 16 * scale, leading = 1.4 * height, margin = 10 * scale;
-  const std::string title = say(w.particle, fmt::arg("id", i));
-  if (std::exchange(probe_of_, i) != i) probe_width_ = 0;
+  const std::string title = say(w.particle, fmt::arg("id", id));
+  if (std::exchange(probe_of_, id) != id) probe_width_ = 0;
   probe_width_ = std::max(probe_width_, canvas.text_width(title, height));
   for (const auto& text : lines) probe_width_ = std::max(probe_width_, canvas.text_width(text, height));
   const double width = probe_width_;

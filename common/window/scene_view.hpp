@@ -24,6 +24,7 @@ class SceneView {
  private:
   void paint_velocities(Canvas& canvas, WindowState& state);
   void paint_arrow_key(Canvas& canvas, const WindowState& state, double speed);
+  void paint_brush(Canvas& canvas, const WindowState& state);
   void paint_probe(Canvas& canvas, WindowState& state);
 
   Painter painter_;

@@ -41,10 +41,15 @@ void Session::play(std::unique_ptr<Simulation> simulation) {
   pacer_.forgive();
   diverged_.reset();
   work_ = {};
+  preset_.clear();
   ++starts_;
 }
 
-void Session::reset() { start(scene_, simulation_->parameters().overrides(), simulation_->integrator()); }
+void Session::reset() {
+  const auto preset = preset_;
+  start(scene_, simulation_->parameters().overrides(), simulation_->integrator());
+  preset_ = preset;
+}
 
 void Session::choose_scene(std::size_t scene) {
   if (scene >= stage_.scenes.size()) return;
@@ -78,6 +83,11 @@ void Session::set(const std::string& parameter, const std::string& value) {
 }
 
 void Session::restore(const SavedState& saved) { play(resume_simulation(stage_, saved, threads_)); }
+
+void Session::choose_preset(const std::string& name) {
+  start(scene_, simulation_->scene().preset(name, Origin::window), simulation_->integrator());
+  preset_ = name;
+}
 
 void Session::restore_defaults() { start(scene_, {}, simulation_->integrator()); }
 

@@ -26,7 +26,8 @@ class Session {
   void choose_scene(std::size_t scene);
   void choose_integrator(const std::string& name);  ///< goes on with it; from the start after a divergence
   void set(const std::string& parameter, const std::string& value);  ///< restarts the scene when it must
-  void restore_defaults();  ///< of all parameters; restarts the scene
+  void choose_preset(const std::string& name);  ///< of the scene, which restarts with its values
+  void restore_defaults();                      ///< of all parameters; restarts the scene
   /// Goes on from a saved state of this stage. Throws FileError when it does not fit.
   void restore(const SavedState& saved);
 
@@ -41,6 +42,8 @@ class Session {
   [[nodiscard]] const History& history() const { return history_; }
   /// The parameters as the scene and its laws give them.
   [[nodiscard]] const Parameters& defaults() const { return *defaults_; }
+  /// The preset that was chosen, as long as nothing but live parameters has changed since; empty otherwise.
+  [[nodiscard]] const std::string& preset() const { return preset_; }
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] double speed() const;  ///< simulated seconds per second, as asked
   /// Why the run stopped; the simulation stands on its last good state until it starts anew.
@@ -73,6 +76,7 @@ class Session {
   std::unique_ptr<Parameters> defaults_;
   History history_;
   Pacer pacer_;
+  std::string preset_;
   bool paused_ = false;
   int octaves_ = 0;
   std::optional<Diverged> diverged_;

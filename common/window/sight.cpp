@@ -13,6 +13,7 @@ constexpr double closest = 200, farthest = 0.2;  // zoom
 void Sight::look_at_other_scene(const Simulation& simulation) {
   viewpoint.colour_by = simulation.setup().colour_by;
   viewpoint.chosen.reset();
+  tank.setZero();
   colour_range = arrow_range = {};
   show_whole_scene();
 }
@@ -29,10 +30,12 @@ void Sight::next_colouring(const Simulation& simulation) {
 }
 
 void Sight::select_next(const Simulation& simulation, int direction) {
-  const Index n = simulation.particles().size();
+  const auto& particles = simulation.particles();
+  const Index n = particles.size();
   if (n == 0) return;
+  const auto now = viewpoint.chosen ? particles.place_of(*viewpoint.chosen) : std::nullopt;
   const Index first = direction > 0 ? 0 : n - 1;
-  viewpoint.chosen = viewpoint.chosen ? (*viewpoint.chosen + direction + n) % n : first;
+  viewpoint.chosen = particles.id(now ? (*now + direction + n) % n : first);
 }
 
 void Sight::select_at(const Simulation& simulation, const PictureView& view, Point pixel, double reach) {
@@ -44,13 +47,13 @@ void Sight::select_at(const Simulation& simulation, const PictureView& view, Poi
   const double squared =
       ((position.col(0) - at.x()).square() + (position.col(1) - at.y()).square()).minCoeff(&nearest);
   if (std::sqrt(squared) <= simulation.setup().radius + reach / view.pixels_per_unit)
-    viewpoint.chosen = nearest;
+    viewpoint.chosen = simulation.particles().id(nearest);
 }
 
 PictureView Sight::view(const Picture& picture, const Box& area, double scale) const {
   auto view = fit(picture, area, scale);
   view.pixels_per_unit *= zoom;
-  view.centre += moved;
+  view.centre += moved - tank;
   return view;
 }
 

@@ -18,6 +18,7 @@ struct Sight {
   ColourRange colour_range, arrow_range;
   double zoom = 1;              ///< 1: the whole scene
   Eigen::Vector2d moved{0, 0};  ///< of the middle, away from the scene's [L]
+  Eigen::Vector2d tank{0, 0};   ///< how far a hand has moved the tank from its place [L]
   bool vectors = false, plots = true;
 
   /// What was said of particles and places of the last scene does not hold in the next.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "common/laws/hand.hpp"
 #include "common/window/step_light.hpp"
 
 namespace clapotis {
@@ -16,6 +17,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   std::map<std::string, std::string> now;
   now["start"] = fmt::format("started {}", session.starts());
   now["scene"] = "scene " + simulation.scene().name;
+  now["preset"] = "preset " + (session.preset().empty() ? std::string("none") : session.preset());
   now["integrator"] = "integrator " + simulation.integrator();
   now["speed"] = fmt::format("speed {:.4g}", session.speed());
   now["pause"] = session.paused() ? "paused" : "running";
@@ -32,6 +34,15 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   using enum StepLight::Colour;
   const auto light = step_light(simulation).colour;
   now["light"] = std::string("step is ") + (light == red ? "red" : light == amber ? "amber" : "calm");
+  now["tool"] = "tool " + tool_name(state.tool);
+  now["particles"] = fmt::format("particles {}", simulation.particles().size());
+  now["obstacles"] = fmt::format("obstacles {}", simulation.model().obstacles().rows());
+  if (const auto* hand = simulation.model().hand())
+    now["hand"] = hand->touch.pull == 0
+                      ? std::string("hand open")
+                      : fmt::format("hand {} {:.3g},{:.3g}", hand->touch.pull > 0 ? "pulls" : "pushes",
+                                    hand->touch.at.x, hand->touch.at.y);
+  now["tank"] = on("tank moved", sight.tank.norm() > 0.05);
   now["menu"] = on("menu", state.menu_open);
   now["selected"] = sight.viewpoint.chosen ? fmt::format("selected {}", *sight.viewpoint.chosen)
                                            : std::string("selected none");

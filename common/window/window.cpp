@@ -8,9 +8,11 @@
 #include "common/runner/ink.hpp"
 #include "common/runner/interrupt.hpp"
 #include "common/runner/stopwatch.hpp"
+#include "common/simulation/tools.hpp"
 #include "common/window/display.hpp"
 #include "common/window/keys.hpp"
 #include "common/window/mouse.hpp"
+#include "common/window/mouse_tool.hpp"
 #include "common/window/overlays.hpp"
 #include "common/window/panel.hpp"
 #include "common/window/scene_view.hpp"
@@ -44,6 +46,8 @@ class Window {
   Window(const Stage& stage, const Options& options)
       : state_{.session = Session(stage, options)}, screen_(title(state_.session), 1280, 720, options.scale) {
     state_.scale = screen_.scale();
+    look_at_scene();
+    state_.sight.colour_by(colouring(state_.session.simulation(), options.colour_by));
     trace_.say(fmt::format("window open {}", screen_.handle()));
   }
 
@@ -56,6 +60,7 @@ class Window {
       const auto inputs = screen_.poll();
       for (const Input& input : inputs) handle(input);
       state_.session.advance(elapsed, budget);
+      tool_.follow(state_);
       notice_changes();
       if (is_calm(now, !inputs.empty())) {
         screen_.rest();
@@ -88,11 +93,17 @@ class Window {
       state_.quit = true;
     } else if (input.kind == Kind::key_down || input.kind == Kind::character) {
       if (state_.typing.empty() && !screen_.panel_wants_text()) press(state_, input);
-    } else if (input.kind != Kind::button_down && input.kind != Kind::wheel) {
-      mouse_.handle(state_, view_.view(), input);
-    } else if (!screen_.panel_wants_mouse()) {
-      mouse_.handle(state_, view_.view(), input);
+    } else if ((input.kind != Kind::button_down && input.kind != Kind::wheel) ||
+               !screen_.panel_wants_mouse()) {
+      if (!tool_.handle(state_, view_.view(), input)) mouse_.handle(state_, view_.view(), input);
     }
+  }
+
+  void look_at_scene() {
+    const auto& session = state_.session;
+    scene_ = session.scene();
+    state_.sight.look_at_other_scene(session.simulation());
+    state_.tool = has_hand(session.simulation()) ? Tool::pull : Tool::probe;
   }
 
   /// What concerns the look and the notices when a scene starts anew, or warns.
@@ -101,8 +112,7 @@ class Window {
     if (session.starts() != starts_) {
       starts_ = session.starts();
       warnings_ = 0;
-      if (std::exchange(scene_, session.scene()) != session.scene())
-        state_.sight.look_at_other_scene(session.simulation());
+      if (scene_ != session.scene()) look_at_scene();
     }
     const auto warnings = session.simulation().warnings();
     if (warnings.size() > warnings_) state_.notice = {warnings.back(), true, 10};
@@ -162,6 +172,7 @@ class Window {
   Panel panel_{controls_};
   SceneView view_;
   SceneMouse mouse_;
+  MouseTool tool_;
   Watch watch_;
   std::string title_;
   double until_title_ = 0;

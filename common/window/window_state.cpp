@@ -1,5 +1,7 @@
 #include "common/window/window_state.hpp"
 
+#include "common/runner/particle_table.hpp"
+#include "common/runner/vtk_files.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -24,6 +26,22 @@ void WindowState::restore() {
     recorder.restore(session);
     notice = {about_file(words().window.state_restored, recorder.saved().filename().string()), false,
               notice_seconds};
+  });
+}
+
+void WindowState::write_table() {
+  attempt([&] {
+    const auto file = free_name(session, ".csv");
+    write_particles(file, session.simulation());
+    notice = {about_file(words().window.picture_saved, file.string()), false, notice_seconds};
+  });
+}
+
+void WindowState::write_grid() {
+  attempt([&] {
+    const auto file = free_name(session, ".vtu");
+    write_vtu(file, session.simulation());
+    notice = {about_file(words().window.picture_saved, file.string()), false, notice_seconds};
   });
 }
 

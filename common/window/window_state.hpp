@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "common/simulation/errors.hpp"
@@ -17,6 +19,14 @@ struct Notice {
   double seconds_left = 0;
 };
 
+/// What the left mouse button does: looks at a particle, or acts on a liquid that has a hand.
+enum class Tool { probe, pull, push, add, erase, obstacle, grab };
+inline constexpr std::array<const char*, 7> tool_names{"probe", "pull",     "push", "add",
+                                                       "erase", "obstacle", "grab"};
+inline std::string tool_name(Tool tool) { return tool_names[static_cast<std::size_t>(tool)]; }
+/// How far it reaches around the mouse; 0 where it acts on a point or on the whole tank [L].
+[[nodiscard]] double brush_radius(const Simulation& simulation, Tool tool);
+
 /// All that the user of the window can change, and what every part of it reads.
 struct WindowState {
   Session session;
@@ -30,9 +40,13 @@ struct WindowState {
   bool close_menu = false;  ///< ... and Esc was pressed
   std::string typing{};     ///< the parameter whose value is being typed
   double scale = 1;
+  Tool tool = Tool::probe;
+  std::optional<Point> mouse{};  ///< where it is in the window [pixel]
 
   void save();          ///< the state, and says where
   void restore();       ///< the state saved last
+  void write_table();   ///< of all particles as they stand, and says where
+  void write_grid();    ///< the same for ParaView
   void toggle_video();  ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.

@@ -13,7 +13,8 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, compare = COMPARE_PROGRAM;
+const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage5 = STAGE5_PROGRAM,
+                  compare = COMPARE_PROGRAM;
 
 struct Case {
   std::vector<std::string> arguments;
@@ -277,4 +278,37 @@ TEST_CASE("a comparison refuses what cannot be compared", "[runner]") {
       {{"stage1/drop", "stage1/drop", "--until", "0.1", "--out", "/proc/x"}, 4, "cannot write /proc/x"},
   };
   for (const auto& c : cases) check(compare, c, scratch);
+}
+
+TEST_CASE("a stage of liquids neither lists nor takes an integrator that advances no density", "[runner]") {
+  const Scratch scratch;
+  CHECK_THAT(run(scratch, stage1, {"--list", "integrators"}).out, ContainsSubstring("bogacki_shampine"));
+  const auto listed = run(scratch, stage5, {"--list", "integrators"}).out;
+  CHECK_THAT(listed, ContainsSubstring("rk4") && !ContainsSubstring("bogacki_shampine"));
+  check(stage5,
+        {{"--headless", "--integrator", "bogacki_shampine"},
+         2,
+         "one of explicit_euler, symplectic_euler, velocity_verlet, rk2, rk4"},
+        scratch);
+  const auto unknown = run(scratch, stage5, {"--integrator", "rk5"}).err;
+  CHECK_THAT(unknown, ContainsSubstring("there is no integrator rk5") && !ContainsSubstring("bogacki"));
+}
+
+TEST_CASE("a list is an array in a file, text on the command line, and survives the way through both",
+          "[runner]") {
+  const Scratch scratch;
+  const auto out = [&](std::vector<std::string> arguments) {
+    arguments.emplace_back("--print-config");
+    const auto ended = run(scratch, stage5, arguments);
+    INFO(ended.err);
+    CHECK(ended.code == 0);
+    return ended.out;
+  };
+  const auto json = out({"sloshing", "--set", "probe_x=0.1,0.5", "--json"});
+  CHECK_THAT(json, ContainsSubstring("\"value\": [\n        0.1,\n        0.5\n      ]"));
+  write(scratch / "probes.json",
+        R"({"scene": "sloshing", "parameters": {"probe_x": [0.25, 0.75], "probe_y": []}})");
+  CHECK_THAT(out({"--config", "probes.json"}), ContainsSubstring("0.25,0.75") && ContainsSubstring("none"));
+  write(scratch / "words.json", R"({"scene": "sloshing", "parameters": {"probe_x": ["left"]}})");
+  check(stage5, {{"--config", "words.json", "--print-config"}, 2, "probe_x cannot be [\"left\"]"}, scratch);
 }

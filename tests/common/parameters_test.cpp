@@ -98,6 +98,35 @@ TEST_CASE("an integer with decimals is refused, and a choice that is none", "[pa
   CHECK_THAT(refusal("impacts", "0"), ContainsSubstring("located, clamp"));
 }
 
+TEST_CASE("a list takes numbers with commas between, or none, and says which of them it cannot use",
+          "[parameters]") {
+  const auto read = [](const std::string& text) {
+    Parameters p("m", {}, typed({{"probes", text}}));
+    return p.numbers({.name = "probes", .symbol = "", .unit = "L", .range = {.low = 0, .high = 2}});
+  };
+  using Numbers = std::vector<double>;
+  CHECK(read("0.1,0.5") == Numbers{0.1, 0.5});
+  CHECK(read("2,0,+1e-3") == Numbers{2, 0, 1e-3});  // in the order given
+  CHECK(read("1") == Numbers{1});
+  CHECK(read("none").empty());
+  CHECK_THROWS_WITH(read("0.1,3"),
+                    ContainsSubstring("probes = 3 m is out of range") &&
+                        ContainsSubstring("between 0 and 2 m each, with commas between, or none"));
+  CHECK_THROWS_WITH(read("0.1;0.5"), ContainsSubstring("probes = 0.1;0.5 is not a finite number"));
+  CHECK_THROWS_WITH(read("0.5,0.1,0.50"), ContainsSubstring("names 0.5 twice"));
+  for (const std::string nothing : {"", ",", "0.1,", ",0.1", "0.1,,0.5", "0.1, 0.5", "nan", "none,1"})
+    CHECK_THROWS_WITH(read(nothing), ContainsSubstring("is not a finite number"));
+
+  Parameters p("m", {{"probes", "0.25,1"}}, {});
+  const Parameter probes{.name = "probes", .symbol = "", .unit = "L", .range = {.low = 0, .high = 2}};
+  CHECK(p.numbers(probes) == Numbers{0.25, 1});  // of the scene
+  CHECK(p.find("probes")->text() == "0.25,1");
+  p.set("probes", "none", Origin::window);
+  CHECK(p.find("probes")->text() == "none");
+  CHECK_THROWS(p.set("probes", "1,5", Origin::window));
+  CHECK(p.find("probes")->values.empty());  // as it was
+}
+
 TEST_CASE("an unknown name is refused with the nearest known one and the list of all", "[parameters]") {
   CHECK_THAT(refusal("gravty", "1"), ContainsSubstring("no parameter gravty") &&
                                          ContainsSubstring("did you mean gravity?") &&

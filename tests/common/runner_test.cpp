@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage3 = STAGE3_PROGRAM,
-                  stage4 = STAGE4_PROGRAM, compare = COMPARE_PROGRAM;
+                  stage4 = STAGE4_PROGRAM, stage5 = STAGE5_PROGRAM, compare = COMPARE_PROGRAM;
 
 struct Table {
   std::vector<std::string> header;
@@ -403,4 +403,22 @@ TEST_CASE("when one side diverges the other goes on, and that is said", "[runner
   const auto rows = table(scratch / "c" / "compare.csv");
   CHECK(std::isnan(rows.last("largest_difference")));
   CHECK(rows.last("t") == 1.5);
+}
+
+TEST_CASE("probes are columns of the series, and a run is repeated with them from its run.json", "[runner]") {
+  const Scratch scratch;
+  const auto ended = run(scratch, stage5,
+                         {"sloshing", "--headless", "--steps", "3", "--out", "once", "--quiet", "--set",
+                          "spacing=0.05", "--set", "probe_x=0.25,0.5", "--set", "probe_y=0.1"});
+  INFO(ended.err);
+  REQUIRE(ended.code == 0);
+  const auto once = table(scratch / "once" / "series.csv");
+  for (const auto* column : {"elevation_0.25", "elevation_0.5", "pressure_left_0.1", "pressure_right_0.1"})
+    CHECK(std::count(once.header.begin(), once.header.end(), column) == 1);
+  CHECK(once.at(0, "pressure_left_0.1") == Approx(1000 * 9.81 * 0.4).epsilon(0.01));
+  const auto again =
+      run(scratch, stage5, {"--headless", "--config", "once/run.json", "--out", "again", "--quiet"});
+  INFO(again.err);
+  REQUIRE(again.code == 0);
+  CHECK(read(scratch / "once" / "series.csv") == read(scratch / "again" / "series.csv"));
 }

@@ -269,14 +269,18 @@ void Desk::click(int x, int y, int button) {
            std::to_string(button)});
 }
 
+void Desk::press(int x, int y, int button) {
+  xdotool({"mousemove", "--window", window_, std::to_string(x), std::to_string(y), "mousedown",
+           std::to_string(button)});
+}
+void Desk::release(int button) { xdotool({"mouseup", std::to_string(button)}); }
+
 void Desk::drag(int from_x, int from_y, int to_x, int to_y, int button) {
-  const auto number = std::to_string(button);
-  xdotool({"mousemove", "--window", window_, std::to_string(from_x), std::to_string(from_y), "mousedown",
-           number});
+  press(from_x, from_y, button);
   for (int part = 1; part <= 4; ++part) {
     move(from_x + (to_x - from_x) * part / 4, from_y + (to_y - from_y) * part / 4);
   }
-  xdotool({"mouseup", number});
+  release(button);
 }
 
 void Desk::key(const std::string& keysym) { xdotool({"key", "--clearmodifiers", keysym}); }

@@ -65,6 +65,8 @@ class Desk {
 
   void move(int x, int y);                   ///< the mouse, in pixels of the program's window
   void click(int x, int y, int button = 1);  ///< 1 left, 2 middle, 3 right, 4 wheel away, 5 wheel towards
+  void press(int x, int y, int button = 1);  ///< and holds it
+  void release(int button = 1);
   void drag(int from_x, int from_y, int to_x, int to_y, int button = 1);
   void key(const std::string& keysym);  ///< "space", "shift+n", "Page_Down"
   void type(const std::string& text);
