@@ -270,7 +270,10 @@ void Panel::record(WindowState& state) {
   ImGui::PopStyleVar();
 }
 
+/// Its lines are close, so that the whole panel of a cloud is seen in a window of 720 rows.
 void Panel::cost(WindowState& state) {
+  const auto& spacing = ImGui::GetStyle().ItemSpacing;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, spacing.y / 2});
   const auto& rates = state.cost.rates();
   heading(w().cost, rates.possible_speed > 0
                         ? say(w().real_time, fmt::arg("factor", two_digits(rates.possible_speed)))
@@ -285,6 +288,7 @@ void Panel::cost(WindowState& state) {
            fmt::arg("count",
                     rates.frames_per_second == 0 ? "…" : fmt::format("{:.0f}", rates.frames_per_second))),
        say(w().frame_cost, fmt::arg("time", duration(rates.frame_milliseconds))));
+  ImGui::PopStyleVar();
 }
 
 }  // namespace clapotis
