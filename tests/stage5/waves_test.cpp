@@ -2,6 +2,7 @@
 #include <numbers>
 #include <vector>
 
+#include "common/kernels/wendland_c2.hpp"
 #include "common/laws/tank_motion.hpp"
 #include "common/references/waves.hpp"
 #include "stage5_extensions/scenes.hpp"
@@ -84,6 +85,28 @@ TEST_CASE("water in a tank that begins to move follows linear theory, the closer
   CHECK(fine < 0.05);
   CHECK(fine < coarse);
   CHECK(coarse < 0.12);
+}
+
+TEST_CASE(
+    "a square lattice of kernels resists a stretch with a share of its pressure, less where they are wider",
+    "[stage5]") {
+  // The energy of compression grows by p/rho times rho's growth, of which the second derivative is a modulus:
+  // of an integral in place of the sum it would be 0.
+  const auto modulus = [](double h_over_dx) {
+    const WendlandC2 kernel(h_over_dx);
+    const auto sum = [&](double stretch) {
+      double all = 0;
+      for (int i = -12; i <= 12; ++i)
+        for (int j = -12; j <= 12; ++j)
+          all += kernel.value(std::hypot(i * std::exp(stretch / 2), j * std::exp(-stretch / 2)));
+      return all;
+    };
+    constexpr double small = 1e-3;
+    return (sum(small) + sum(-small) - 2 * sum(0)) / (small * small * sum(0));
+  };
+  CHECK(modulus(2) == Approx(0.0094).epsilon(0.01));  // what the lesson says
+  CHECK(modulus(2.5) == Approx(0.0046).epsilon(0.02));
+  CHECK(modulus(3) == Approx(0.0024).epsilon(0.03));
 }
 
 TEST_CASE("what a moving tank puts into its water is in the budget of energy", "[stage5]") {
