@@ -17,4 +17,7 @@ inline const auto channel_length = number("length", "L", "L", 4e-4);
 inline const auto plate_speed = number("plate_speed", "U", "L/s", 1.25e-5, any_number);
 inline const auto wave_height = number("amplitude", "a", "L", 0.01, not_negative);
 
+inline const auto drop_shape = choice("shape", {"ellipse", "square"});
+inline const auto drop_deformation = number("deformation", "epsilon", "", 0.05, {.low = -0.5, .high = 0.5});
+
 }  // namespace clapotis::stage5

@@ -15,4 +15,8 @@ Setup couette(Parameters& p);
 Setup standing_wave(Parameters& p);
 Setup sloshing(Parameters& p);
 
+// A liquid with a skin: capillarity.cpp.
+Setup capillary_drop(Parameters& p);
+Setup sessile_drop(Parameters& p);
+
 }  // namespace clapotis::stage5
