@@ -32,4 +32,7 @@ inline const auto thread_length = number("thread_length", "L", "L", 0.4);
 inline const auto thread_speed = number("thread_speed", "U", "L/s", 1);
 inline const auto fall_height = number("fall_height", "H", "L", 0.06);
 
+inline const auto drop_shape = choice("shape", {"ellipse", "square"});
+inline const auto drop_deformation = number("deformation", "epsilon", "", 0.05, {.low = -0.5, .high = 0.5});
+
 }  // namespace clapotis::stage5

@@ -23,6 +23,9 @@ const Defaults moved_tank{{"h_over_dx", "2.5"}, {"tank_width", "1"},   {"tank_he
                           {"depth", "0.5"},     {"spacing", "0.0125"}, {"alpha", "0"}};
 // Morris, Fox & Zhu 1997: water in a gap of one millimetre.
 const Defaults gap{{"tension", "yes"}, {"slip", "no"}, {"nu", "1e-6"}, {"spacing", "2e-5"}};
+// Without diffusion of density, and with a wide kernel: see surface_tension.hpp.
+const Defaults small_drop{{"tension", "yes"}, {"h_over_dx", "3"},  {"delta", "0"},
+                          {"radius", "1e-3"}, {"spacing", "4e-5"}, {"nu", "1e-5"}};
 
 }  // namespace
 
@@ -56,6 +59,8 @@ Stage stage() {
                      {"tank_width", "0.1"},
                      {"tank_height", "0.01"},
                      {"disturbance", "0.01"}}),
+          in_metres("capillary_drop", capillary_drop, small_drop),
+          in_metres("sessile_drop", sessile_drop, small_drop),
           in_metres("sandbox", sandbox,
                     {{"spacing", "0.02"}, {"tank_width", "2.4"}, {"tank_height", "1.4"}, {"depth", "0.5"}},
                     {{"moon", {{"gravity", "1.62"}}}, {"thick", {{"alpha", "0.5"}}}})}};

@@ -25,4 +25,8 @@ Setup sloshing(Parameters& p);
 // A thread of honey that falls on a plate: honey.cpp.
 Setup honey(Parameters& p);
 
+// A liquid with a skin: capillarity.cpp.
+Setup capillary_drop(Parameters& p);
+Setup sessile_drop(Parameters& p);
+
 }  // namespace clapotis::stage5

@@ -17,7 +17,9 @@
 /// density, volume and pressure; those of j are packs, about which one cannot ask with `if`: use max, min,
 /// select (pack.hpp). `wall_stress` and `wall_friction` are the same towards the particles of walls; a law
 /// without them does not act there. A law that takes energy out of the motion says
-/// `static constexpr bool dissipates = true`.
+/// `static constexpr bool dissipates = true`; one whose force is the slope of an energy of the pair's
+/// distance states that as `pair_energy(r)` [energy], for two particles of the fluid, and each particle is
+/// counted with itself too.
 namespace clapotis {
 
 /// A liquid, and how finely it is resolved.
@@ -80,6 +82,10 @@ concept RubsWalls = requires(const L& law, const FluidParticle<double>& i, const
 template <class L>
 concept ActsImplicitly = requires {
   requires L::implicit;
+};
+template <class L>
+concept StoresBetweenParticles = requires(const L& law, const Pack& r) {
+  Pack{law.pair_energy(r)};
 };
 template <class L>
 concept FluidLaw = ActsByStress<L> || ActsByFriction<L> || StressesWalls<L> || RubsWalls<L>;

@@ -8,7 +8,7 @@ namespace clapotis {
 /// Energies per unit depth. In scenes without pixels: joule per metre; in pixels kg px^2/s^2.
 struct Energy {
   double kinetic = 0;     ///< sum m v^2/2
-  double potential = 0;   ///< of the weight
+  double potential = 0;   ///< of the weight, and of a liquid's surface
   double elastic = 0;     ///< of the springs
   double internal = 0;    ///< of the compression of a fluid
   double dissipated = 0;  ///< lost to laws and walls so far, advanced by the same scheme as the state

@@ -93,7 +93,7 @@ class FluidModel final : public Model {
     // a sum of densities is that of the places as they stand, which may have changed since it was taken
     const bool sums = form_ == DensityForm::summation;
     if (sums) arrange(particles);
-    return {.potential = laws_.potential(particles),
+    return {.potential = laws_.potential(particles) + pair_energy(particles),
             .internal = sum_over(
                 sums ? sorted_.slots() : particles.size(), particles.threads, [&](Index k, std::size_t) {
                   if (sums && sorted_.is_image(k)) return 0.0;
@@ -275,6 +275,25 @@ class FluidModel final : public Model {
       curl += j.volume * kernel_.slope_over_r(r, inverse) * (v.x * d.y - v.y * d.x);
     });
     return sum(curl);
+  }
+
+  /// What the laws store between the particles of the fluid, each with itself included.
+  double pair_energy(const Particles& particles) {
+    if constexpr (!(StoresBetweenParticles<Laws> || ...)) {
+      return 0;
+    } else {
+      arrange(particles);
+      return sum_over(sorted_.slots(), particles.threads, [&](Index slot, std::size_t) {
+        if (sorted_.is_image(slot)) return 0.0;
+        Pack total(0.0);
+        around(sorted_.columns.position(slot), [&](Run, const Vec<Pack>&, const Pack& r, const Pack&) {
+          laws_.each([&](const auto& law) {
+            if constexpr (requires { law.pair_energy(r); }) total += law.pair_energy(r);
+          });
+        });
+        return sum(total) / 2;  // each pair is met twice
+      });
+    }
   }
 
   /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.

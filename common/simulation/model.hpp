@@ -28,7 +28,7 @@ struct StepLimit {
 
 /// Energies per unit depth at one instant.
 struct StoredEnergy {
-  double potential = 0;  ///< weight
+  double potential = 0;  ///< weight, and a liquid's surface
   double elastic = 0;    ///< springs
   double internal = 0;   ///< compression of a fluid
 };
