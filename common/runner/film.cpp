@@ -47,10 +47,10 @@ void Film::add(Picture picture, std::vector<Plot> plots, double time, double dt)
   frames_ += frames;
   waiting_bytes_ += bytes(picture) + bytes(plots);
   waiting_.push_back({std::move(picture), std::move(plots), frames});
-  if (!waits_ || waiting_bytes_ > most_bytes_waiting) paint_waiting();
+  if (!waits_ || waiting_bytes_ > most_bytes_waiting) paint_waiting([](double) {});
 }
 
-void Film::paint_waiting() {
+void Film::paint_waiting(const Told& painted) {
   if (waits_ && !range_.locked && !waiting_.empty()) {
     std::vector<double> depths, heights;  // alike, so that ends that are opposite remain so
     for (const auto& shot : waiting_) {
@@ -64,6 +64,7 @@ void Film::paint_waiting() {
     auto& [label, unit, lo, hi, map] = shot.picture.colours;
     if (waits_) std::tie(lo, hi) = range_.follow(lo, hi);
     paint(shot);
+    painted(static_cast<double>(&shot - waiting_.data() + 1) / static_cast<double>(waiting_.size()));
   }
   waiting_.clear();
   waiting_bytes_ = 0;
@@ -76,8 +77,8 @@ void Film::paint(const Shot& shot) {
   for (long k = 0; k < shot.frames; ++k) video_.add(pixels);
 }
 
-void Film::finish() {
-  paint_waiting();
+void Film::finish(const Told& painted) {
+  paint_waiting(painted);
   video_.finish();
 }
 

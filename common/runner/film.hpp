@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "common/runner/cairo_canvas.hpp"
@@ -30,8 +31,9 @@ class Film {
   /// Goes on from another instant, or at another pace: a run that starts anew, a speed that changed.
   void go_on_from(double time) { next_ = time; }
   void pace(double interval) { interval_ = interval; }
-  /// Paints what waits and ends the video. Throws FileError.
-  void finish();
+  using Told = std::function<void(double share)>;  ///< of what is painted so far, 0 to 1
+  /// Paints what waits, which may take a while, and ends the video. Throws FileError.
+  void finish(const Told& painted = [](double) {});
 
   [[nodiscard]] const std::filesystem::path& file() const { return video_.file(); }
   [[nodiscard]] double seconds() const;  ///< of the film so far
@@ -43,7 +45,7 @@ class Film {
     long frames;
   };
   void paint(const Shot& shot);
-  void paint_waiting();
+  void paint_waiting(const Told& painted);
 
   static constexpr double rounding = 1e-6;  ///< share of a step by which an instant may be missed
   VideoFile video_;

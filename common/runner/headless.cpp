@@ -106,7 +106,10 @@ class HeadlessRun {
 
   /// Keeps what was computed, whatever ended the run.
   void finish() {
-    outputs_.finish();
+    {
+      Progress progress(!options_.quiet);
+      outputs_.finish([&](double share) { progress.show(share, simulation_.time()); });
+    }
     result_.end = simulation_.energy();
     result_.largest_error = outputs_.history().largest_error();
     result_.warnings = options_.warnings;

@@ -39,6 +39,10 @@ void write_walls(AtomicFile& table, const DummyWalls& walls, const Particles& pa
 
 }  // namespace
 
+Index first_wall_id(const Particles& particles) {
+  return particles.size() > 0 ? particles.id(particles.size() - 1) + 1 : 0;
+}
+
 void write_particles(const std::filesystem::path& file, Simulation& simulation) {
   AtomicFile table(file);
   std::string row = "id,kind,x,y,vx,vy,ax,ay";
@@ -53,8 +57,7 @@ void write_particles(const std::filesystem::path& file, Simulation& simulation) 
       for (const auto& column : p.columns()) append(row, column.values(i));
       table.write(row += '\n');
     }
-    if (const auto* walls = system.model.wall_particles())
-      write_walls(table, *walls, p, p.size() > 0 ? p.id(p.size() - 1) + 1 : 0);
+    if (const auto* walls = system.model.wall_particles()) write_walls(table, *walls, p, first_wall_id(p));
   });
   table.commit();
 }

@@ -15,6 +15,9 @@ namespace clapotis {
 /// on.
 void write_particles(const std::filesystem::path& file, Simulation& simulation);
 
+/// The id that the first particle of the walls has in files: they follow on the last of the others.
+Index first_wall_id(const Particles& particles);
+
 /// The unit of each of its columns.
 std::map<std::string, std::string> particle_units(const Simulation& simulation);
 

@@ -60,12 +60,12 @@ void RunOutputs::write_due() {
   if (film_ && film_->due(time, dt)) shoot();
 }
 
-void RunOutputs::finish() {
+void RunOutputs::finish(const Film::Told& painted) {
   if (last_recorded_ != simulation_.steps()) record();
   series_.close();
   if (options_.vtk) vtk_.close();
   with_film([&] {
-    film_->finish();
+    film_->finish(painted);
     film_.reset();
   });
 }

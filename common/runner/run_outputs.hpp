@@ -26,8 +26,8 @@ class RunOutputs {
   /// Whether the state as it stands is to be written, and writes it.
   [[nodiscard]] bool due() const;
   void write_due();
-  /// The state at the end, whatever ended the run.
-  void finish();
+  /// The state at the end, whatever ended the run; tells how much of the film is painted.
+  void finish(const Film::Told& painted);
   /// picture.png, and the one that was asked for besides.
   void write_pictures() const;
 

@@ -110,7 +110,8 @@ void write_columns(AtomicFile& file, const Simulation& simulation, const Particl
   const Index n = particles.size(), of_walls = walls != nullptr ? walls->size() : 0;
   const auto units = vtk_units(simulation);
   std::vector<std::int64_t> ids;
-  for (Index i = 0; i < n + of_walls; ++i) ids.push_back(i);
+  for (Index i = 0; i < n; ++i) ids.push_back(particles.id(i));
+  for (Index k = 0; k < of_walls; ++k) ids.push_back(first_wall_id(particles) + k);
   std::vector<std::uint8_t> kinds(static_cast<std::size_t>(n), 0);
   kinds.resize(ids.size(), 1);
   file.write("<PointData Scalars=\"kind\" Vectors=\"velocity\">\n");

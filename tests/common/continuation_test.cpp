@@ -7,6 +7,7 @@
 #include "common/runner/machine.hpp"
 #include "common/runner/saved_state.hpp"
 #include "common/simulation/errors.hpp"
+#include "common/simulation/tools.hpp"
 #include "common/words.hpp"
 #include "stage1_bouncing/scenes.hpp"
 #include "stage2_cloud/scenes.hpp"
@@ -135,7 +136,7 @@ TEST_CASE("a long run resumed twice, with more threads, has the bits of one that
 TEST_CASE("particles between walls, impacts located inside the step, go on with the same bits",
           "[continuation]") {
   const auto stage = stage1::stage();
-  for (const auto* integrator : {"velocity_verlet", "rk4"}) {
+  for (const auto* integrator : {"velocity_verlet", "rk4", "bogacki_shampine"}) {
     Simulation whole(stage.scene("drop"), typed({{"drag", 0.3}}), integrator);
     run_to(whole, 1.7);  // some impacts
     const auto resumed = through_file(stage, whole);
@@ -144,6 +145,39 @@ TEST_CASE("particles between walls, impacts located inside the step, go on with 
     CHECK(state_of(*resumed) == state_of(whole));
     CHECK(resumed->error() == whole.error());
   }
+}
+
+TEST_CASE("a flow whose particles come and go goes on with the same bits, ids included", "[continuation]") {
+  const auto stage = stage5::stage();
+  Simulation whole(stage.scene("channel"), {{"spacing", {"1e-3"}}});
+  while (whole.system().left == 0) whole.step();
+  run_steps(whole, 20);
+  const auto resumed = through_file(stage, whole);
+  CHECK(state_of(*resumed) == state_of(whole));
+  run_steps(whole, 60);
+  run_steps(*resumed, 60);
+  CHECK(whole.particles().id(whole.particles().size() - 1) >= whole.particles().size());
+  CHECK(state_of(*resumed) == state_of(whole));
+}
+
+TEST_CASE("what a hand has done to a liquid, and does, goes on with the same bits", "[continuation]") {
+  const auto stage = stage5::stage();
+  Simulation whole(
+      stage.scene("sandbox"),
+      {{"spacing", {"0.04"}}, {"tank_width", {"1.2"}}, {"tank_height", {"1"}}, {"depth", {"0.32"}}});
+  run_steps(whole, 10);
+  draw_obstacle(whole, {0.3, 0.6}, 0.1);
+  add_drop(whole, {0.8, 0.7}, 0.12);
+  erase(whole, {1.1, 0.1}, 0.08);
+  hold_hand(whole, {0.6, 0.4}, 1);
+  shake_tank(whole, {0.5, 0});
+  run_steps(whole, 30);
+  const auto resumed = through_file(stage, whole);
+  CHECK(resumed->model().obstacles().rows() > 10);
+  CHECK(state_of(*resumed) == state_of(whole));
+  run_steps(whole, 40);
+  run_steps(*resumed, 40);
+  CHECK(state_of(*resumed) == state_of(whole));
 }
 
 TEST_CASE("what was changed while a scene ran stays changed, and its reference stays away",

@@ -7,7 +7,8 @@
 
 namespace clapotis::testing {
 
-inline const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage4 = STAGE4_PROGRAM;
+inline const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage4 = STAGE4_PROGRAM,
+                         stage5 = STAGE5_PROGRAM;
 
 inline void require_done(const Ended& ended) {
   INFO(ended.err);

@@ -188,6 +188,24 @@ TEST_CASE("the grids of --vtk hold the bits of final.csv, walls included, with u
   CHECK(units["density"] == "kg/m^3");
 }
 
+TEST_CASE("where particles come and go their ids in a grid are those of final.csv", "[vtk]") {
+  const Scratch scratch;
+  require_done(run(
+      scratch, stage5,
+      {"channel", "--headless", "--set", "spacing=1e-3", "--until", "0.2", "--vtk", "0.2", "--out", "r"}));
+  const auto table = rows(scratch / "r" / "final.csv");
+  const auto grid = Xml(read(scratch / "r" / "vtk" / "0001.vtu")).root();
+  const auto& piece = grid.find("UnstructuredGrid").find("Piece");
+  const auto ids = numbers<std::int64_t>(piece.find("PointData").array("id"));
+  const auto points = numbers<double>(piece.find("Points").array("Points"));
+  REQUIRE(ids.size() == table.size() - 1);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    REQUIRE(std::to_string(ids[i]) == table[i + 1][0]);
+    REQUIRE(points[3 * i] == std::stod(table[i + 1][2]));
+  }
+  CHECK(static_cast<std::size_t>(ids.back()) > ids.size());  // some have left
+}
+
 TEST_CASE("a run that is replaced takes its grids with it, and a replay has the same ones", "[vtk]") {
   const Scratch scratch;
   require_done(
