@@ -312,8 +312,9 @@ const std::map<std::string_view, std::string_view>& meanings() {
       {"viscous_step", "friction with the velocities before the step, or after it"},
       {"viscous_tolerance", "residual of the implicit step, over the velocities"},
       {"thread_width", "width of the thread"},
-      {"thread_length", "length of the thread"},
-      {"thread_speed", "speed of the thread at the start"},
+      {"thread_length", "length of the thread, all in the nozzle at the start"},
+      {"thread_speed", "speed of the thread in the nozzle"},
+      {"fall_height", "height of the nozzle above the dish"},
       {"columns", "particles across the block"},
       {"lines", "particles up the block"},
   };

@@ -18,8 +18,8 @@ inline const auto plate_speed = number("plate_speed", "U", "L/s", 1.25e-5, any_n
 inline const auto viscous_step = choice("viscous_step", {"explicit", "implicit"});
 inline const auto wave_height = number("amplitude", "a", "L", 0.01, not_negative);
 inline const auto thread_width = number("thread_width", "d", "L", 4e-3);
-inline const auto thread_length = number("thread_length", "L", "L", 0.4);
-inline const auto thread_speed = number("thread_speed", "U", "L/s", 1);
-inline const auto fall_height = number("fall_height", "H", "L", 0.06);
+inline const auto thread_length = number("thread_length", "L", "L", 0.3);
+inline const auto thread_speed = number("thread_speed", "U", "L/s", 0.5);
+inline const auto fall_height = number("fall_height", "H", "L", 0.08);
 
 }  // namespace clapotis::stage5

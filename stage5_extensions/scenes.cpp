@@ -11,8 +11,8 @@ Stage stage() {
   dragged["driving"] = "0";
   // Honey, ten thousand times as viscous as water, in a dish.
   const Defaults honey_in_dish{{"reference_density", "1400"}, {"nu", "0.02"},        {"slip", "no"},
-                               {"spacing", "0.0005"},         {"tank_width", "0.1"}, {"tank_height", "0.01"},
-                               {"disturbance", "0.01"}};
+                               {"spacing", "0.0008"},         {"tank_width", "0.1"}, {"tank_height", "0.01"},
+                               {"disturbance", "0.2"}};
   auto wave = small_waves, sway = small_waves;
   wave["tank_height"] = "1.3";
   sway["tank_height"] = "0.8";

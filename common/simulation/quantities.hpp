@@ -21,7 +21,6 @@ inline const Parameter start_vx{
     .name = "vx0", .symbol = "vx0", .unit = "L/s", .value = 0, .change = Change::restart};
 inline const Parameter start_vy{
     .name = "vy0", .symbol = "vy0", .unit = "L/s", .value = 0, .change = Change::restart};
-inline const Parameter slip_along_walls{
-    .name = "slip", .symbol = "", .unit = "", .choices = {"free", "no"}};
+inline const Parameter slip_along_walls{.name = "slip", .symbol = "", .unit = "", .choices = {"free", "no"}};
 
 }  // namespace clapotis
