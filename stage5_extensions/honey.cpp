@@ -19,13 +19,16 @@ namespace {
 /// it.
 struct Nozzle {
   static constexpr std::string_view name = "nozzle";
-  double mouth, speed;  ///< H [L], U [L/s]
+  double mouth, end, speed;  ///< H [L], H + L [L], U [L/s]
 
-  static Nozzle from(Parameters& p) { return {p.value(fall_height.name), p.value(thread_speed.name)}; }
+  static Nozzle from(Parameters& p) {
+    const double mouth = p.value(fall_height.name);
+    return {mouth, mouth + p.value(thread_length.name), p.value(thread_speed.name)};
+  }
   void settle(System& s, double /*dt*/) const {
     const Vector fed{0, -speed};
     for (Index i = 0; i < s.particles.size(); ++i) {
-      if (!(s.position(i, 1) > mouth)) continue;
+      if (!(s.position(i, 1) > mouth && s.position(i, 1) < end)) continue;
       const Vector v = row(s.velocity, i);
       s.dissipated_energy += s.particles.mass(i) / 2 * (dot(v, v) - dot(fed, fed));
       s.velocity.row(i) << fed.x, fed.y;
@@ -33,41 +36,30 @@ struct Nozzle {
   }
 };
 
-/// How often the middle of the thread turns back on its way from the lower end to the upper one: the
-/// abscissae of its slices, half as high as it is wide at the start, go to and fro by at least a quarter of
-/// the width.
-Measure folds_of(const Vectors& start, double width) {
-  const double slice = width / 2, least = width / 4, bottom = start.col(1).minCoeff();
-  const Eigen::ArrayXi slice_of = ((start.col(1) - bottom) / slice).cast<int>();
-  return {.name = "folds", .unit = "1", .value = [=](const System& s) {
-            Column middle = Column::Zero(slice_of.maxCoeff() + 1), count = middle;
-            for (Index i = 0; i < slice_of.size(); ++i) {
-              middle(slice_of(i)) += s.position(i, 0);
-              count(slice_of(i)) += 1;
+/// How far beside its axis the thread is half-way down, over a height of its width; 0 while nothing is there.
+Measure sway_of(double axis, double height, double width) {
+  return {.name = "sway", .unit = "L", .value = [=](const System& s) {
+            double sum = 0, count = 0;
+            for (Index i = 0; i < s.particles.size(); ++i) {
+              if (std::abs(s.position(i, 1) - height / 2) > width / 2) continue;
+              sum += s.position(i, 0) - axis;
+              ++count;
             }
-            middle /= count;
-            int folds = -1, way = 0;  // the first way out of the line is not a fold
-            double farthest = middle(0);
-            for (const double x : middle) {
-              if (way * (x - farthest) >= 0 && way != 0) farthest = x;
-              if (std::abs(x - farthest) < least) continue;
-              way = x > farthest ? 1 : -1;
-              farthest = x;
-              ++folds;
-            }
-            return std::max(folds, 0);
+            return count > 0 ? sum / count : 0;
           }};
 }
 
 }  // namespace
 
 /// A thread of honey that is poured into a dish: it buckles and lays itself in folds, while Re = U d/nu is
-/// below about 0.56 and H/d above 10 (Cruickshank 1988; Tome & McKee 1999).
+/// below about 0.56 and H/d above 10 (Cruickshank 1988; Tome & McKee 1999). The lattice it begins as is
+/// disturbed, or else nothing would tell left from right.
 Setup honey(Parameters& p) {
   const double d = p.number(thread_width), length = p.number(thread_length), speed = p.number(thread_speed);
   const double nu = p.number(stage4::kinematic_viscosity), g = p.number(Gravity::parameter());
   const double height = p.number(fall_height);
-  // what the pressure must hold: inertia of the upper end at last, and rubbing where the thread is halted
+  // What the pressure must hold: the speed of the fall, and friction where the thread is halted (Morris
+  // 1997).
   const double fall = std::sqrt(speed * speed + 2 * g * height);
   const Fluid fluid = stage4::liquid(p, std::max(fall, std::sqrt(nu * speed / d)), wendland_continuity);
   auto dish = stage4::tank(p, fluid);
@@ -78,15 +70,17 @@ Setup honey(Parameters& p) {
               .model = {},
               .radius = fluid.spacing / 2,
               .view = {0, dish.width, 0, height + 2 * d},
-              .fluid = fluid};
+              .fluid = fluid,
+              .colour_by = "across"};
   auto& particles = setup.particles;
   stage4::disturb(particles.position, p, fluid.spacing);
   particles.velocity.col(1) = -speed;
+  particles.add_column("across", "L") = (particles.position.col(0) - dish.width / 2).abs();
   auto model = std::make_unique<FluidModel<WendlandC2, Gravity, TankWalls, Nozzle, PressureForce,
                                            Implicit<NewtonianViscosity>, AcousticStep>>(
       p, DensityForm::continuity, std::move(dish.walls));
   setup.measures = measures_of(model->solved());
-  setup.measures.insert(setup.measures.begin(), folds_of(particles.position, d));
+  setup.measures.insert(setup.measures.begin(), sway_of(dish.width / 2, height, d));
   setup.model = std::move(model);
   return setup;
 }

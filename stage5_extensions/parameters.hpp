@@ -28,9 +28,9 @@ inline const auto probe_x = number("probe_x", "x_p", "L", 0);
 inline const auto probe_y = number("probe_y", "y_p", "L", 0);
 inline const auto wave_height = number("amplitude", "a", "L", 0.01, not_negative);
 inline const auto thread_width = number("thread_width", "d", "L", 4e-3);
-inline const auto thread_length = number("thread_length", "L", "L", 0.4);
-inline const auto thread_speed = number("thread_speed", "U", "L/s", 1);
-inline const auto fall_height = number("fall_height", "H", "L", 0.06);
+inline const auto thread_length = number("thread_length", "L", "L", 0.3);
+inline const auto thread_speed = number("thread_speed", "U", "L/s", 0.5);
+inline const auto fall_height = number("fall_height", "H", "L", 0.08);
 
 inline const auto drop_shape = choice("shape", {"ellipse", "square"});
 inline const auto drop_deformation = number("deformation", "epsilon", "", 0.05, {.low = -0.5, .high = 0.5});

@@ -30,7 +30,7 @@ struct Implicit {
             p.number({.name = "viscous_tolerance",
                       .symbol = "",
                       .unit = "",
-                      .value = 1e-6,
+                      .value = 1e-5,
                       .range = {.low = 1e-14, .high = 0.1}})};
   }
 };

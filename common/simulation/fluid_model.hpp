@@ -2,12 +2,10 @@
 
 #include <atomic>
 
-#include "common/kernels/kernel.hpp"
-#include "common/laws/dummy_walls.hpp"
 #include "common/laws/hand.hpp"
 #include "common/laws/open_ends.hpp"
-#include "common/neighbours/packs_near.hpp"
-#include "common/simulation/fluid_arrangement.hpp"
+#include "common/simulation/fluid_hooks.hpp"
+#include "common/simulation/fluid_neighbours.hpp"
 #include "common/simulation/implicit_step.hpp"
 #include "common/simulation/law_set.hpp"
 #include "common/simulation/phase_timer.hpp"
@@ -20,18 +18,6 @@ enum class DensityForm {
   summation,  ///< rho_i = sum_j m W, from the positions alone; it lacks neighbours at a free surface
   continuity  ///< d rho_i/dt = rho_i sum_j V_j v_ij.grad W + diffusion, advanced with the positions
 };
-
-/// Nothing to add: a sum of laws of which none acts generates no code.
-struct None {};
-template <class T>
-[[gnu::always_inline]] inline T operator+(None /*nothing*/, const T& a) {
-  return a;
-}
-template <class T>
-[[gnu::always_inline]] inline T operator+(const T& a, None /*nothing*/) {
-  return a;
-}
-inline None operator+(None /*a*/, None /*b*/) { return {}; }
 
 /// A weakly compressible liquid (SPH): density, pressure by the Cole equation, walls, and the laws of the
 /// scene in one sweep over the neighbours. Every particle gathers its own sum, so there is nothing to lock,
@@ -46,9 +32,7 @@ class FluidModel final : public Model {
       : laws_(p),
         form_(form),
         fluid_(Fluid::from(p)),
-        kernel_(fluid_.h),
-        sorted_(kernel_.support(), period),
-        walls_(std::move(walls)),
+        near_(fluid_.h, period, std::move(walls)),
         ends_(std::move(ends)) {
     read(p);
   }
@@ -72,15 +56,15 @@ class FluidModel final : public Model {
   void evaluate_density_rate(System& s) override {
     arrange(s.particles);
     const PhaseTimer timer(timed, seconds.density);
-    s.diffusion = sum_over(sorted_.slots(), s.particles.threads, [&](Index slot, std::size_t) {
-      return sorted_.is_image(slot) ? 0.0 : continuity(slot, s.particles.density_rate);
+    s.diffusion = sum_over(near_.fluid.slots(), s.particles.threads, [&](Index slot, std::size_t) {
+      return near_.fluid.is_image(slot) ? 0.0 : continuity(slot, s.particles.density_rate);
     });
   }
 
   void settle(System& s, double dt) override {
     (act_implicitly<Laws>(s, dt), ...);
     laws_.settle(s, dt);
-    sorted_.period().wrap(s.position);
+    near_.fluid.period().wrap(s.position);
     if (ends_.exist())
       ends_.renew(s, fluid_.state.sound_speed, [&](Index i) { return energy_of(s.particles, i); });
   }
@@ -95,10 +79,11 @@ class FluidModel final : public Model {
     if (sums) arrange(particles);
     return {.potential = laws_.potential(particles) + pair_energy(particles),
             .internal = sum_over(
-                sums ? sorted_.slots() : particles.size(), particles.threads, [&](Index k, std::size_t) {
-                  if (sums && sorted_.is_image(k)) return 0.0;
+                sums ? near_.fluid.slots() : particles.size(), particles.threads, [&](Index k, std::size_t) {
+                  if (sums && near_.fluid.is_image(k)) return 0.0;
                   const double density =
-                      sums ? fluid_.mass * sum_of_kernels(sorted_.columns.position(k)) : particles.density(k);
+                      sums ? fluid_.mass * near_.sum_of_kernels(near_.fluid.columns.position(k))
+                           : particles.density(k);
                   return fluid_.mass * fluid_.state.energy(density);
                 })};
   }
@@ -109,7 +94,7 @@ class FluidModel final : public Model {
   [[nodiscard]] std::vector<std::string> laws() const override { return laws_.names(); }
   [[nodiscard]] std::optional<Walls> walls() const override { return laws_.walls(); }
   [[nodiscard]] const DummyWalls* wall_particles() const override {
-    return walls_.size() > 0 ? &walls_ : nullptr;
+    return near_.walls.size() > 0 ? &near_.walls : nullptr;
   }
   [[nodiscard]] Hand* hand() override {
     if constexpr ((std::is_same_v<Laws, Hand> || ...))
@@ -119,11 +104,11 @@ class FluidModel final : public Model {
   }
   [[nodiscard]] Vectors obstacles() const override { return obstacles_; }
   void put_obstacles(const Vectors& places) override {
-    if (obstacles_.rows() == 0) bare_walls_ = walls_.places;
+    if (obstacles_.rows() == 0) bare_walls_ = near_.walls.places;
     obstacles_ = places;
     Vectors all(bare_walls_.rows() + places.rows(), 2);
     all << bare_walls_, places;
-    walls_ = DummyWalls(all, fluid_, kernel_.support(), sorted_.period());
+    near_.walls = DummyWalls(all, fluid_, near_.kernel.support(), near_.fluid.period());
   }
   void pass_state(StateBytes& state) override {
     auto obstacles = obstacles_;
@@ -136,28 +121,28 @@ class FluidModel final : public Model {
   [[nodiscard]] Column vorticity(const Particles& particles) override {
     arrange(particles);
     Column curl(particles.size());
-    for_each(sorted_.slots(), particles.threads, [&](Index slot) {
-      if (!sorted_.is_image(slot)) curl(sorted_.id(slot)) = curl_at(slot);
+    for_each(near_.fluid.slots(), particles.threads, [&](Index slot) {
+      if (!near_.fluid.is_image(slot)) curl(near_.fluid.id(slot)) = near_.curl_at(slot);
     });
     return curl;
   }
   [[nodiscard]] std::vector<double> law_seconds(const System& s, int repetitions) override {
     Vectors scratch(s.particles.size(), 2);
     Particles& particles = const_cast<System&>(s).particles;
-    return {median_seconds_of(repetitions, [&] { accelerate<Laws>(particles, s.time, scratch); })...};
+    return {median_seconds_of(repetitions, [&] { act_alone<Laws>(particles, s.time, scratch); })...};
   }
   [[nodiscard]] std::optional<Neighbourhood> neighbourhood(const Particles& particles, Index i) override {
     arrange(particles);
-    return sorted_.neighbourhood(row(particles.position, i), i);
+    return near_.fluid.neighbourhood(row(particles.position, i), i);
   }
   [[nodiscard]] PairCount count_pairs(const Particles& particles) override {
     arrange(particles);
-    return sorted_.count_pairs();
+    return near_.fluid.count_pairs();
   }
   [[nodiscard]] bool has_pairs() const override { return true; }
   /// Of the law that acts implicitly, in the last step.
   [[nodiscard]] const Solved& solved() const requires(ActsImplicitly<Laws> || ...) { return solved_; }
-  [[nodiscard]] std::size_t bytes() const override { return sorted_.bytes() + walls_.bytes(); }
+  [[nodiscard]] std::size_t bytes() const override { return near_.fluid.bytes() + near_.walls.bytes(); }
 
  private:
   void read(Parameters& p) {
@@ -179,102 +164,59 @@ class FluidModel final : public Model {
   void arrange(const Particles& particles) {
     const PhaseTimer timer(timed, seconds.neighbours);
     if (form_ == DensityForm::continuity)
-      sorted_.build(particles, [&](Index slot, Index i) { take_density(slot, particles.density(i)); });
+      near_.fluid.build(particles, [&](Index slot, Index i) { take_density(slot, particles.density(i)); });
     else
-      sorted_.build(particles, [](Index, Index) {});
+      near_.fluid.build(particles, [](Index, Index) {});
   }
 
   /// V = m/rho, and p by the Cole equation.
   void take_density(Index slot, double density) {
-    auto& c = sorted_.columns;
+    auto& c = near_.fluid.columns;
     c.density(slot) = FluidArrangement::finite_or(density, fluid_.state.reference_density);
     c.volume(slot) = fluid_.mass / c.density(slot);
     c.pressure(slot) = fluid_.state.pressure(c.density(slot));
   }
 
-  /// Calls meet(j, d, r, 1/r) for the packs of fluid particles around r.
-  template <class Meet>
-  [[gnu::always_inline]] void around(const Vector& r, const Meet& meet) const {
-    const auto& c = sorted_.columns;
-    packs_near(sorted_.grid, c.x.data(), c.y.data(), r, kernel_.support(), with_distance(meet));
-  }
-  /// The same for the particles of walls.
-  template <class Meet>
-  [[gnu::always_inline]] void around_walls(const Vector& r, const Meet& meet) const {
-    if (walls_.size() == 0 || !walls_.near(r)) return;
-    const auto& c = walls_.columns;
-    packs_near(walls_.grid, c.x.data(), c.y.data(), r, kernel_.support(), with_distance(meet));
-  }
-  template <class Meet>
-  static auto with_distance(const Meet& meet) {
-    return [&meet](Run j, const Vec<Pack>& d, const Pack& r2) __attribute__((always_inline)) {
-      const Pack inverse = inverse_sqrt(r2);
-      meet(j, d, r2 * inverse, inverse);
-    };
-  }
-
   /// rho_i = sum_j m W, walls included.
   void sum_density(Particles& particles) {
-    for_each(sorted_.slots(), particles.threads, [&](Index slot) {
-      if (sorted_.is_image(slot)) return;
+    for_each(near_.fluid.slots(), particles.threads, [&](Index slot) {
+      if (near_.fluid.is_image(slot)) return;
       // everyone finds itself, but for one without a place, whose volume must stay finite
-      const double sum = max(sum_of_kernels(sorted_.columns.position(slot)), kernel_.value(0.0));
-      particles.density(sorted_.id(slot)) = fluid_.mass * sum;
+      const double sum =
+          max(near_.sum_of_kernels(near_.fluid.columns.position(slot)), near_.kernel.value(0.0));
+      particles.density(near_.fluid.id(slot)) = fluid_.mass * sum;
     });
-    for_each(sorted_.slots(), particles.threads,
-             [&](Index slot) { take_density(slot, particles.density(sorted_.id(slot))); });
+    for_each(near_.fluid.slots(), particles.threads,
+             [&](Index slot) { take_density(slot, particles.density(near_.fluid.id(slot))); });
   }
-  [[gnu::flatten]] double sum_of_kernels(const Vector& r) const {
-    Pack total(0.0);
-    const auto meet = [&](Run, const Vec<Pack>&, const Pack& distance, const Pack&) {
-      total += kernel_.value(distance);
-    };
-    around(r, meet);
-    around_walls(r, meet);
-    return sum(total);
-  }
-
   /// d rho_i/dt = rho_i sum_j V_j v_ij.grad W, walls at rest included, and the diffusion of density among the
   /// fluid (Molteni & Colagrossi 2009), from which the hydrostatic part is taken out (Fourtakas et al. 2019):
   ///   2 delta h c sum_j V_j [rho_i - rho_j - rho_0 g.d/c^2] W'/r.
   /// Returns the power that the diffusion takes: -m p/rho^2 times its rate; where open ends hold the density,
   /// the power that would have compressed it.
   [[gnu::flatten]] double continuity(Index slot, Column& rate) const {
-    const auto& c = sorted_.columns;
+    const auto& c = near_.fluid.columns;
     const auto i = c.at(slot);
     const Vec<Pack> velocity{Pack(i.velocity.x), Pack(i.velocity.y)};
     const double c2 = fluid_.state.sound_speed * fluid_.state.sound_speed;
     const Vec<Pack> at_rest{Pack(fluid_.state.reference_density / c2 * gravity_.x),
                             Pack(fluid_.state.reference_density / c2 * gravity_.y)};
     Pack compression(0.0), diffusion(0.0);
-    around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
+    near_.around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
       const auto j = c.at(at);
-      const Pack weight = j.volume * kernel_.slope_over_r(r, inverse);
+      const Pack weight = j.volume * near_.kernel.slope_over_r(r, inverse);
       compression += weight * dot(velocity - j.velocity, d);
       diffusion += weight * (i.density - j.density - dot(at_rest, d));
     });
-    around_walls(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
-      const Pack volume = load(walls_.columns.volume.data(), at);
-      compression += volume * kernel_.slope_over_r(r, inverse) * dot(velocity - walls_.own_velocity(at), d);
+    near_.around_walls(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
+      const Pack volume = load(near_.walls.columns.volume.data(), at);
+      compression +=
+          volume * near_.kernel.slope_over_r(r, inverse) * dot(velocity - near_.walls.own_velocity(at), d);
     });
     const double spread = diffusion_ * sum(diffusion), squeezed = i.density * sum(compression);
     const bool held = ends_.hold(c.position(slot));
-    rate(sorted_.id(slot)) = held ? 0 : squeezed + spread;
+    rate(near_.fluid.id(slot)) = held ? 0 : squeezed + spread;
     return i.volume * i.pressure / i.density * (held ? squeezed : -spread);
-  }
-
-  /// curl v = sum_j V_j (v_ij x d) W'/r, z upwards; v_ij = v_i - v_j.
-  [[gnu::flatten]] double curl_at(Index slot) const {
-    const auto& c = sorted_.columns;
-    const auto i = c.at(slot);
-    const Vec<Pack> velocity{Pack(i.velocity.x), Pack(i.velocity.y)};
-    Pack curl(0.0);
-    around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
-      const auto j = c.at(at);
-      const Vec<Pack> v = velocity - j.velocity;
-      curl += j.volume * kernel_.slope_over_r(r, inverse) * (v.x * d.y - v.y * d.x);
-    });
-    return sum(curl);
   }
 
   /// What the laws store between the particles of the fluid, each with itself included.
@@ -283,14 +225,15 @@ class FluidModel final : public Model {
       return 0;
     } else {
       arrange(particles);
-      return sum_over(sorted_.slots(), particles.threads, [&](Index slot, std::size_t) {
-        if (sorted_.is_image(slot)) return 0.0;
+      return sum_over(near_.fluid.slots(), particles.threads, [&](Index slot, std::size_t) {
+        if (near_.fluid.is_image(slot)) return 0.0;
         Pack total(0.0);
-        around(sorted_.columns.position(slot), [&](Run, const Vec<Pack>&, const Pack& r, const Pack&) {
-          laws_.each([&](const auto& law) {
-            if constexpr (requires { law.pair_energy(r); }) total += law.pair_energy(r);
-          });
-        });
+        near_.around(near_.fluid.columns.position(slot),
+                     [&](Run, const Vec<Pack>&, const Pack& r, const Pack&) {
+                       laws_.each([&](const auto& law) {
+                         if constexpr (requires { law.pair_energy(r); }) total += law.pair_energy(r);
+                       });
+                     });
         return sum(total) / 2;  // each pair is met twice
       });
     }
@@ -298,27 +241,28 @@ class FluidModel final : public Model {
 
   /// Pressure and mirrored velocity of the walls' particles, from the fluid beside them.
   void wet_walls(int threads, double t) {
-    for_each(walls_.size(), threads, [&](Index slot) { wet_wall(slot, t); });
-    walls_.copy_to_images();
+    for_each(near_.walls.size(), threads, [&](Index slot) { wet_wall(slot, t); });
+    near_.walls.copy_to_images();
   }
   [[gnu::flatten]] void wet_wall(Index slot, double t) {
     constexpr bool velocities = (RubsWalls<Laws> || ...);
-    const Vector at_wall = laws_.field(walls_.columns.position(slot), t);
+    const Vector at_wall = laws_.field(near_.walls.columns.position(slot), t);
     const Vec<Pack> g{Pack(at_wall.x), Pack(at_wall.y)};
     Pack weights(0.0), pressure(0.0);
     Vec<Pack> velocity{Pack(0.0), Pack(0.0)};
-    around(walls_.columns.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack&) {
-      const auto j = sorted_.columns.at(at);
-      const Pack weight = kernel_.value(r);
-      weights += weight;
-      pressure += weight * (j.pressure + j.density * dot(g, d));
-      if constexpr (velocities) velocity += weight * j.velocity;
-    });
-    auto& c = walls_.columns;
+    near_.around(near_.walls.columns.position(slot),
+                 [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack&) {
+                   const auto j = near_.fluid.columns.at(at);
+                   const Pack weight = near_.kernel.value(r);
+                   weights += weight;
+                   pressure += weight * (j.pressure + j.density * dot(g, d));
+                   if constexpr (velocities) velocity += weight * j.velocity;
+                 });
+    auto& c = near_.walls.columns;
     const double total = sum(weights), p = total > 0 ? sum(pressure) / total : 0;
     c.pressure(slot) = fluid_.state.tension || !(p < 0) ? p : 0;
     if constexpr (velocities) {
-      const Vector own = walls_.own_velocity(slot);
+      const Vector own = near_.walls.own_velocity(slot);
       c.vx(slot) = total > 0 ? 2 * own.x - sum(velocity.x) / total : own.x;
       c.vy(slot) = total > 0 ? 2 * own.y - sum(velocity.y) / total : own.y;
     }
@@ -329,9 +273,9 @@ class FluidModel final : public Model {
   template <class... Some>
   double accelerate(Particles& particles, double t, Vectors& a) {
     const auto p = view_of<UniformMass>(particles);
-    return sum_over(sorted_.slots(), particles.threads, [&](Index slot, std::size_t) {
-      if (sorted_.is_image(slot)) return 0.0;
-      const Index i = sorted_.id(slot);
+    return sum_over(near_.fluid.slots(), particles.threads, [&](Index slot, std::size_t) {
+      if (near_.fluid.is_image(slot)) return 0.0;
+      const Index i = near_.fluid.id(slot);
       Vector acceleration = laws_.template body<Some...>(p, i, t);
       double power = 0;
       if constexpr ((FluidLaw<Some> || ...)) {
@@ -340,13 +284,13 @@ class FluidModel final : public Model {
         acceleration += 1 / fluid_.mass * force;
         power = lost;
       }
-      if (ends_.hold(sorted_.columns.position(slot))) {
+      if (ends_.hold(near_.fluid.columns.position(slot))) {
         power += fluid_.mass * dot(acceleration, row(particles.velocity, i));
         acceleration = {0, 0};
       }
       a(i, 0) = acceleration.x;
       a(i, 1) = acceleration.y;
-      particles.pressure(i) = sorted_.columns.pressure(slot);
+      particles.pressure(i) = near_.fluid.columns.pressure(slot);
       return power;
     });
   }
@@ -357,19 +301,31 @@ class FluidModel final : public Model {
   template <class L>
   void act_implicitly(System& s, double dt) {
     if constexpr (ActsImplicitly<L>) {
-      static_assert(!(takes_energy<Laws> || ...),
+      static_assert(!(hooks::takes_energy<Laws> || ...),
                     "Beside an implicit law no explicit one may depend on the velocities of pairs.");
       {
         const PhaseTimer timer(timed, seconds.neighbours);
-        sorted_.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
+        near_.fluid.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
       }
       const PhaseTimer timer(timed, seconds.forces);
-      const auto& law = laws_.template get<L>();
       const double before = kinetic_energy(s.particles);
-      const FrictionSweep sweep(law, kernel_, sorted_, walls_, dt / fluid_.mass, s.particles.threads);
-      solved_ = solve_implicitly(sweep, s.velocity, law.tolerance, s.particles.threads);
+      solved_ = solve_implicitly(friction_sweep<L>(dt, s.particles.threads), s.velocity,
+                                 laws_.template get<L>().tolerance, s.particles.threads);
       s.dissipated_energy += before - kinetic_energy(s.particles);
     }
+  }
+  template <class L>
+  auto friction_sweep(double dt, int threads) {
+    return FrictionSweep(laws_.template get<L>(), near_.kernel, near_.fluid, near_.walls, dt / fluid_.mass,
+                         threads);
+  }
+  /// One law by itself, for its cost: of an implicit one, one sweep of the many that a solve takes.
+  template <class L>
+  void act_alone(Particles& particles, double t, Vectors& result) {
+    if constexpr (ActsImplicitly<L>)
+      friction_sweep<L>(1, particles.threads).apply(particles.velocity, true, result);
+    else
+      accelerate<L>(particles, t, result);
   }
   static double kinetic_energy(const Particles& p) {
     return sum_over(p.size(), threads_for_little(p.size(), p.threads), [&](Index i, std::size_t) {
@@ -388,21 +344,21 @@ class FluidModel final : public Model {
 
   template <class... Some>
   [[gnu::flatten]] Outcome by_neighbours(Index slot) const {
-    const auto& c = sorted_.columns;
+    const auto& c = near_.fluid.columns;
     const auto i = c.at(slot);
     const Vec<Pack> velocity{Pack(i.velocity.x), Pack(i.velocity.y)};
     Vec<Pack> force{Pack(0.0), Pack(0.0)};
     Pack power(0.0);
     int at_one_point = -1;  // itself
-    around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
+    near_.around(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
       const auto j = c.at(at);
-      const Pack weight = j.volume * kernel_.slope_over_r(r, inverse);
+      const Pack weight = j.volume * near_.kernel.slope_over_r(r, inverse);
       const Vec<Pack> v = velocity - j.velocity;
       const Meeting ij{d, inverse, dot(v, d)};
       at_one_point += popcount(r < nowhere);
-      add(force, weight, (stress(laws_.template get<Some>(), i, j, ij) + ...), d);
-      add(force, weight, (friction(laws_.template get<Some>(), i, j, ij) + ...), v);
-      add(power, weight, (loss(laws_.template get<Some>(), i, j, ij, v) + ...));
+      hooks::add(force, weight, (hooks::stress(laws_.template get<Some>(), i, j, ij) + ...), d);
+      hooks::add(force, weight, (hooks::friction(laws_.template get<Some>(), i, j, ij) + ...), v);
+      hooks::add(power, weight, (hooks::loss(laws_.template get<Some>(), i, j, ij, v) + ...));
     });
     Vector total{sum(force.x), sum(force.y)};
     double lost = -0.5 * sum(power);  // each pair is met twice
@@ -410,16 +366,17 @@ class FluidModel final : public Model {
     if constexpr ((StressesWalls<Some> || ...) || (RubsWalls<Some> || ...)) {
       Vec<Pack> push{Pack(0.0), Pack(0.0)};
       Pack squeeze(0.0);
-      around_walls(c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
-        const auto j = walls_.columns.at(at);
-        const Pack weight = j.volume * kernel_.slope_over_r(r, inverse);
-        const Vec<Pack> v = velocity - j.velocity;
-        const Meeting ij{d, inverse, dot(v, d)};
-        add(push, weight, (wall_stress(laws_.template get<Some>(), i, j, ij) + ...), d);
-        add(push, weight, (wall_friction(laws_.template get<Some>(), i, j, ij) + ...), v);
-        squeeze += weight * dot(velocity - walls_.own_velocity(at), d) *
-                   (form_ == DensityForm::summation ? j.density / i.density : Pack(1.0));
-      });
+      near_.around_walls(
+          c.position(slot), [&](Run at, const Vec<Pack>& d, const Pack& r, const Pack& inverse) {
+            const auto j = near_.walls.columns.at(at);
+            const Pack weight = j.volume * near_.kernel.slope_over_r(r, inverse);
+            const Vec<Pack> v = velocity - j.velocity;
+            const Meeting ij{d, inverse, dot(v, d)};
+            hooks::add(push, weight, (hooks::wall_stress(laws_.template get<Some>(), i, j, ij) + ...), d);
+            hooks::add(push, weight, (hooks::wall_friction(laws_.template get<Some>(), i, j, ij) + ...), v);
+            squeeze += weight * dot(velocity - near_.walls.own_velocity(at), d) *
+                       (form_ == DensityForm::summation ? j.density / i.density : Pack(1.0));
+          });
       const Vector by_walls{sum(push.x), sum(push.y)};
       total += by_walls;
       lost -= dot(by_walls, i.velocity) + i.pressure * sum(squeeze);
@@ -427,70 +384,16 @@ class FluidModel final : public Model {
     return {i.volume * total, i.volume * lost, at_one_point};
   }
 
-  template <class L>
-  static constexpr bool takes_energy = requires {
-    requires L::dissipates;
-  };
-
-  // One law in a sum; None where it has no such hook.
-  template <class L>
-  static auto stress(const L& law, const auto& i, const auto& j, const Meeting& ij) {
-    if constexpr (ActsByStress<L>)
-      return Pack(law.stress(i, j, ij));
-    else
-      return None{};
-  }
-  template <class L>
-  static auto friction(const L& law, const auto& i, const auto& j, const Meeting& ij) {
-    if constexpr (ActsByFriction<L>)
-      return Pack(law.friction(i, j, ij));
-    else
-      return None{};
-  }
-  template <class L>
-  static auto wall_stress(const L& law, const auto& i, const auto& j, const Meeting& ij) {
-    if constexpr (StressesWalls<L>)
-      return Pack(law.wall_stress(i, j, ij));
-    else
-      return None{};
-  }
-  template <class L>
-  static auto wall_friction(const L& law, const auto& i, const auto& j, const Meeting& ij) {
-    if constexpr (RubsWalls<L>)
-      return Pack(law.wall_friction(i, j, ij));
-    else
-      return None{};
-  }
-  /// What the pair's forces do to its motion, for the laws that take energy out of it.
-  template <class L>
-  static auto loss(const L& law, const auto& i, const auto& j, const Meeting& ij, const Vec<Pack>& v) {
-    if constexpr (!takes_energy<L>)
-      return None{};
-    else if constexpr (ActsByStress<L>)
-      return Pack(law.stress(i, j, ij) * ij.approach);
-    else
-      return Pack(law.friction(i, j, ij) * dot(v, v));
-  }
-
-  static void add(Vec<Pack>& /*sum*/, const Pack& /*weight*/, None /*nothing*/, const Vec<Pack>& /*along*/) {}
-  static void add(Vec<Pack>& sum, const Pack& weight, const Pack& strength, const Vec<Pack>& along) {
-    sum += (weight * strength) * along;
-  }
-  static void add(Pack& /*sum*/, const Pack& /*weight*/, None /*nothing*/) {}
-  static void add(Pack& sum, const Pack& weight, const Pack& strength) { sum += weight * strength; }
-
   LawSet<UniformMass, Laws...> laws_;
   DensityForm form_;
   Fluid fluid_;
-  Kernel kernel_;
-  FluidArrangement sorted_;
-  DummyWalls walls_;
+  FluidNeighbours<Kernel> near_;
   OpenEnds ends_;
   Vectors bare_walls_{0, 2}, obstacles_{0, 2};  ///< what the walls are made of, where obstacles were drawn
   Vector gravity_{0, 0};                        ///< [L/s^2]
   double diffusion_ = 0;                        ///< 2 delta h c [L^2/s]
   std::atomic<long long> met_at_one_point_ = 0;
-  [[no_unique_address]] std::conditional_t<(ActsImplicitly<Laws> || ...), Solved, None> solved_;
+  [[no_unique_address]] std::conditional_t<(ActsImplicitly<Laws> || ...), Solved, hooks::None> solved_;
 };
 
 }  // namespace clapotis

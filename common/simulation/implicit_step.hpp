@@ -153,24 +153,27 @@ template <class Sweep>
 Solved solve_implicitly(const Sweep& friction, Vectors& v, double tolerance, int threads) {
   const Index n = v.rows();
   threads = threads_for_little(n, threads);
-  const auto dot_of = [&](const Vectors& a, const Vectors& b) {
-    return sum_over(n, threads, [&](Index i, std::size_t) { return a(i, 0) * b(i, 0) + a(i, 1) * b(i, 1); });
+  const auto square_of = [&](const Vectors& a) {
+    return sum_over(n, threads, [&](Index i, std::size_t) { return dot(row(a, i), row(a, i)); });
   };
   Vectors residual(n, 2), direction(n, 2), changed(n, 2);
   friction.apply(v, true, residual);
   direction = residual;
-  double rr = dot_of(residual, residual), vv = dot_of(v, v);
+  double rr = square_of(residual), vv = square_of(v);
   Solved solved;
   while (rr > tolerance * tolerance * vv && solved.iterations < 2 * n) {
     friction.apply(direction, false, changed);
-    const double along = rr / (dot_of(direction, direction) - dot_of(direction, changed));
+    const double along = rr / sum_over(n, threads, [&](Index i, std::size_t) {
+                           const Vector d = row(direction, i);
+                           return dot(d, d - row(changed, i));
+                         });
     for_rows(n, threads, [&](Index first, Index count) {
       const auto rows = [&](auto& all) { return all.middleRows(first, count); };
       rows(v) += along * rows(direction);
       rows(residual) -= along * (rows(direction) - rows(changed));
     });
-    const double before = std::exchange(rr, dot_of(residual, residual));
-    vv = dot_of(v, v);
+    const double before = std::exchange(rr, square_of(residual));
+    vv = square_of(v);
     for_rows(n, threads, [&](Index first, Index count) {
       direction.middleRows(first, count) =
           residual.middleRows(first, count) + rr / before * direction.middleRows(first, count);
