@@ -1,6 +1,5 @@
 #include "common/words.hpp"
 
-#include <map>
 
 namespace clapotis {
 namespace {

@@ -123,12 +123,18 @@ void Panel::speed(WindowState& state) {
 std::optional<std::size_t> Panel::list(WindowState& state, const std::string& name, std::string_view label,
                                        const std::vector<std::string>& names, const std::string& present,
                                        float share) {
-  std::optional<std::size_t> chosen;
   const float start = ImGui::GetCursorPosX(), whole = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
   text(label);
   ImGui::SameLine(start + label_width * whole);
-  ImGui::SetNextItemWidth(share * whole);
+  return combo(state, name, names, present, share * whole);
+}
+
+std::optional<std::size_t> Panel::combo(WindowState& state, const std::string& name,
+                                        const std::vector<std::string>& names, const std::string& present,
+                                        float width) {
+  std::optional<std::size_t> chosen;
+  ImGui::SetNextItemWidth(width);
   const std::string shown(called(present));
   const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLargest);
   if (!open) controls_.name_last(name);
@@ -143,18 +149,28 @@ std::optional<std::size_t> Panel::list(WindowState& state, const std::string& na
   return chosen;
 }
 
+/// Beside the scene that it belongs to.
+void Panel::preset(WindowState& state) {
+  auto& session = state.session;
+  std::vector<std::string> names;
+  for (const auto& preset : session.simulation().scene().presets) names.push_back(preset.name);
+  const auto shown = session.preset().empty() ? std::string(w().preset) : session.preset();
+  if (const auto k = combo(state, "preset", names, shown, ImGui::GetContentRegionAvail().x))
+    state.attempt([&] { session.choose_preset(names[*k]); });
+}
+
 void Panel::scene(WindowState& state) {
   auto& session = state.session;
   std::vector<std::string> names;
   for (const auto& scene : session.stage().scenes) names.push_back(scene.name);
-  if (const auto k = list(state, "scene", w().scene, names, names[session.scene()]))
-    state.attempt([&] { session.choose_scene(*k); });
-  names.clear();
-  for (const auto& preset : session.simulation().scene().presets) names.push_back(preset.name);
-  if (!names.empty())
-    if (const auto k =
-            list(state, "preset", w().preset, names, session.preset().empty() ? "–" : session.preset()))
-      state.attempt([&] { session.choose_preset(names[*k]); });
+  const auto& presets = session.simulation().scene().presets;
+  const auto chosen =
+      list(state, "scene", w().scene, names, names[session.scene()], presets.empty() ? 0.74F : 0.42F);
+  if (!presets.empty()) {
+    ImGui::SameLine();
+    preset(state);
+  }
+  if (chosen) state.attempt([&] { session.choose_scene(*chosen); });
   const auto integrator = session.simulation().integrator();
   const auto& integrators = integrator_names(session.simulation().setup().matter());
   if (const auto k = list(state, "integrator", w().integrator, integrators, integrator))

@@ -21,6 +21,7 @@ class Panel {
   void transport(WindowState& state);
   void speed(WindowState& state);
   void scene(WindowState& state);
+  void preset(WindowState& state);
   void parameters(WindowState& state);
   void time_step(WindowState& state);
   void view(WindowState& state);
@@ -31,6 +32,9 @@ class Panel {
   std::optional<std::size_t> list(WindowState& state, const std::string& name, std::string_view label,
                                   const std::vector<std::string>& names, const std::string& present,
                                   float share = 0.74F);
+  std::optional<std::size_t> combo(WindowState& state, const std::string& name,
+                                   const std::vector<std::string>& names, const std::string& present,
+                                   float width);
   bool button(const std::string& name, std::string_view label, float width);
 
   Controls& controls_;
