@@ -14,6 +14,8 @@ Stage stage() {
   // Without diffusion of density, and with a wide kernel: see surface_tension.hpp.
   const Defaults drop{{"tension", "yes"}, {"h_over_dx", "3"},  {"delta", "0"},
                       {"radius", "1e-3"}, {"spacing", "4e-5"}, {"nu", "1e-5"}};
+  auto on_plate = drop;
+  on_plate["nu"] = "5e-5";
   return {
       .name = "stage5_extensions",
       .title = "Stage 5 - extensions",
@@ -22,7 +24,7 @@ Stage stage() {
                  {.name = "poiseuille", .length_unit = "m", .defaults = gap, .build = poiseuille},
                  {.name = "couette", .length_unit = "m", .defaults = gap, .build = couette},
                  {.name = "capillary_drop", .length_unit = "m", .defaults = drop, .build = capillary_drop},
-                 {.name = "sessile_drop", .length_unit = "m", .defaults = drop, .build = sessile_drop}}};
+                 {.name = "sessile_drop", .length_unit = "m", .defaults = on_plate, .build = sessile_drop}}};
 }
 
 }  // namespace clapotis::stage5
