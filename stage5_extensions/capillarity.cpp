@@ -37,15 +37,14 @@ std::unique_ptr<Model> model(Parameters& p, DummyWalls walls = {}) {
       p, DensityForm::continuity, std::move(walls));
 }
 
-/// The pressure within a third of the radius, by its effect: what the pairs there push each other with, -sum
-/// V_i V_j stress r^2 W'/r over 4 V_i. The pressure of the equation of state is one part of it, for between
-/// particles at places not quite even the forces of the tension do not cancel.
-Measure pressure_jump(double radius, const Parameters& p) {
+/// The pressure within a third of the radius, by its effect: what the pairs there push each other with, sum
+/// V_i V_j stress r^2 W'/r over 4 sum V_i. The pressure of the equation of state is one part of it, for
+/// between particles at places not quite even the forces of the tension do not cancel.
+Measure pressure_jump(double radius, Parameters& p) {
   const auto fluid = Fluid::from(p);
-  auto copy = p;
   return {.name = "pressure_jump",
           .unit = "kg/(L s^2)",
-          .value = [=, tension = SurfaceTension::from(copy), kernel = WendlandC2(fluid.h)](const System& s) {
+          .value = [=, tension = SurfaceTension::from(p), kernel = WendlandC2(fluid.h)](const System& s) {
             struct Within {
               Vector r;
               FluidParticle<double> particle;
@@ -176,9 +175,7 @@ Setup capillary_drop(Parameters& p) {
 Setup sessile_drop(Parameters& p) {
   const double radius = p.number(stage4::drop_radius);
   const auto fluid = liquid(p).fluid;
-  auto angle = SurfaceTension::angle_parameter();
-  angle.change = Change::restart;
-  const double theta = p.number(angle) * pi / 180;
+  const double theta = p.number(SurfaceTension::angle_parameter()) * pi / 180;
   Vectors places = stage4::disc(fluid.spacing, {0, 0}, radius);
   const Index half = places.rows() / 2;  // its lattice is symmetric, and sorted from below
   places = Vectors(places.bottomRows(half));

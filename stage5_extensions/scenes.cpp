@@ -60,7 +60,7 @@ Stage stage() {
                      {"tank_height", "0.01"},
                      {"disturbance", "0.2"}}),
           in_metres("capillary_drop", capillary_drop, small_drop),
-          in_metres("sessile_drop", sessile_drop, small_drop),
+          in_metres("sessile_drop", sessile_drop, with({{"nu", "5e-5"}}, small_drop)),
           in_metres("sandbox", sandbox,
                     {{"spacing", "0.02"}, {"tank_width", "2.4"}, {"tank_height", "1.4"}, {"depth", "0.5"}},
                     {{"moon", {{"gravity", "1.62"}}}, {"thick", {{"alpha", "0.5"}}}})}};

@@ -39,7 +39,12 @@ struct SurfaceTension {
   double energy_of_bulk;       ///< of one particle inside the liquid, itself included [energy]
 
   static Parameter parameter() {
-    return {.name = "sigma", .symbol = "sigma", .unit = "kg/s^2", .value = 0.072, .range = positive};
+    return {.name = "sigma",
+            .symbol = "sigma",
+            .unit = "kg/s^2",
+            .value = 0.072,
+            .range = positive,
+            .change = Change::restart};
   }
   /// The angle between plate and surface, inside the liquid. A scene without walls does not state it.
   static Parameter angle_parameter() {
@@ -47,7 +52,8 @@ struct SurfaceTension {
             .symbol = "theta",
             .unit = "deg",
             .value = 90,
-            .range = {.low = 45, .high = 135}};
+            .range = {.low = 45, .high = 135},
+            .change = Change::restart};
   }
   static SurfaceTension from(Parameters& p);
 
