@@ -8,7 +8,7 @@ namespace {
 const std::map<std::string_view, std::string_view>& meanings() {
   static const std::map<std::string_view, std::string_view> table{
       {"mass", "mass of a particle"},
-      {"radius", "radius of a particle"},
+      {"radius", "radius of a particle, or of a drop"},
       {"gravity", "weight per unit of mass"},
       {"drag", "friction of the air"},
       {"restitution", "share of the normal speed kept by a wall"},

@@ -39,7 +39,7 @@ Overrides coarse(const Scene& scene) {
   const Simulation usual(scene);
   const auto* spacing = usual.parameters().find("spacing");
   if (spacing == nullptr || spacing->derived) return {};
-  return typed({{"spacing", 2 * spacing->value}});
+  return typed({{"spacing", 2 * spacing->value}, {"cfl", 0.2}});  // explicit Euler bears no more in a drop
 }
 
 /// All that the next steps depend on.
