@@ -21,8 +21,7 @@ struct LaminarViscosity {
     const auto fluid = Fluid::from(p);
     const double nu =
         p.number({.name = "nu", .symbol = "nu", .unit = "L^2/s", .value = 0, .range = not_negative});
-    const bool slips =
-        p.choice(slip_along_walls) == "free";
+    const bool slips = p.choice(slip_along_walls) == "free";
     const double viscosity = 2 * fluid.state.reference_density * nu;
     return {nu, viscosity, slips ? 0 : viscosity, fluid.h};
   }

@@ -143,6 +143,7 @@ concept Law = requires(Parameters& p) {
   { L::from(p) } -> std::same_as<L>;
   std::string_view{L::name};
 }
-&&(ActsOnBody<L> || ActsAsField<L> || ActsOnPair<L> || FluidLaw<L> || ActsImplicitly<L> || Settles<L> || LimitsStep<L>);
+&&(ActsOnBody<L> || ActsAsField<L> || ActsOnPair<L> || FluidLaw<L> || ActsImplicitly<L> || Settles<L> ||
+   LimitsStep<L>);
 
 }  // namespace clapotis

@@ -18,18 +18,6 @@ enum class DensityForm {
   continuity  ///< d rho_i/dt = rho_i sum_j V_j v_ij.grad W + diffusion, advanced with the positions
 };
 
-/// Nothing to add: a sum of laws of which none acts generates no code.
-struct None {};
-template <class T>
-[[gnu::always_inline]] inline T operator+(None /*nothing*/, const T& a) {
-  return a;
-}
-template <class T>
-[[gnu::always_inline]] inline T operator+(const T& a, None /*nothing*/) {
-  return a;
-}
-inline None operator+(None /*a*/, None /*b*/) { return {}; }
-
 /// A weakly compressible liquid (SPH): density, pressure by the Cole equation, walls, and the laws of the
 /// scene in one sweep over the neighbours. Every particle gathers its own sum, so there is nothing to lock,
 /// and any number of threads gives the same bits. Handout, section VI; Monaghan 2005.
@@ -268,22 +256,18 @@ class FluidModel final : public Model {
   }
 
   /// What an implicit law does to the velocities that a step has led to, and the energy it takes out of them.
-  /// The forces of the other laws must not depend on velocities: those that an integrator keeps for its next
-  /// step would not belong to the new ones.
+  /// Accelerations that an integrator keeps for its next step must not depend on velocities: these change.
   template <class L>
   void act_implicitly(System& s, double dt) {
     if constexpr (ActsImplicitly<L>) {
       static_assert(!(takes_energy<Laws> || ...),
                     "Beside an implicit law no explicit one may depend on the velocities of pairs.");
-      {
-        const PhaseTimer timer(timed, seconds.neighbours);
-        sorted_.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
-      }
       const PhaseTimer timer(timed, seconds.forces);
-      const double before = kinetic_energy(s.particles);
-      solved_ = solve_implicitly(friction_sweep<L>(dt, s.particles.threads), s.velocity,
-                                 laws_.template get<L>().tolerance, s.particles.threads);
-      s.dissipated_energy += before - kinetic_energy(s.particles);
+      const int threads = s.particles.threads;
+      sorted_.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
+      solved_ = solve_implicitly(friction_sweep<L>(dt, threads), s.velocity,
+                                 laws_.template get<L>().tolerance, threads);
+      s.dissipated_energy += fluid_.mass * solved_.taken;
     }
   }
   template <class L>
@@ -297,12 +281,6 @@ class FluidModel final : public Model {
       friction_sweep<L>(1, particles.threads).apply(particles.velocity, true, result);
     else
       accelerate<L>(particles, t, result);
-  }
-  static double kinetic_energy(const Particles& p) {
-    return sum_over(p.size(), threads_for_little(p.size(), p.threads), [&](Index i, std::size_t) {
-      const Vector v = row(p.velocity, i);
-      return p.mass(i) / 2 * dot(v, v);
-    });
   }
 
   static constexpr double nowhere = 1e-130;  ///< distance that `one_point` becomes [L]
