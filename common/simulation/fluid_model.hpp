@@ -296,22 +296,18 @@ class FluidModel final : public Model {
   }
 
   /// What an implicit law does to the velocities that a step has led to, and the energy it takes out of them.
-  /// The forces of the other laws must not depend on velocities: those that an integrator keeps for its next
-  /// step would not belong to the new ones.
+  /// Accelerations that an integrator keeps for its next step must not depend on velocities: these change.
   template <class L>
   void act_implicitly(System& s, double dt) {
     if constexpr (ActsImplicitly<L>) {
       static_assert(!(hooks::takes_energy<Laws> || ...),
                     "Beside an implicit law no explicit one may depend on the velocities of pairs.");
-      {
-        const PhaseTimer timer(timed, seconds.neighbours);
-        near_.fluid.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
-      }
       const PhaseTimer timer(timed, seconds.forces);
-      const double before = kinetic_energy(s.particles);
-      solved_ = solve_implicitly(friction_sweep<L>(dt, s.particles.threads), s.velocity,
-                                 laws_.template get<L>().tolerance, s.particles.threads);
-      s.dissipated_energy += before - kinetic_energy(s.particles);
+      const int threads = s.particles.threads;
+      near_.fluid.build(s.particles, [&](Index slot, Index i) { take_density(slot, s.density(i)); });
+      solved_ = solve_implicitly(friction_sweep<L>(dt, threads), s.velocity,
+                                 laws_.template get<L>().tolerance, threads);
+      s.dissipated_energy += fluid_.mass * solved_.taken;
     }
   }
   template <class L>
@@ -326,12 +322,6 @@ class FluidModel final : public Model {
       friction_sweep<L>(1, particles.threads).apply(particles.velocity, true, result);
     else
       accelerate<L>(particles, t, result);
-  }
-  static double kinetic_energy(const Particles& p) {
-    return sum_over(p.size(), threads_for_little(p.size(), p.threads), [&](Index i, std::size_t) {
-      const Vector v = row(p.velocity, i);
-      return p.mass(i) / 2 * dot(v, v);
-    });
   }
 
   static constexpr double nowhere = 1e-130;  ///< distance that `one_point` becomes [L]

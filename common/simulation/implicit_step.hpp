@@ -15,6 +15,7 @@ namespace clapotis {
 struct Solved {
   long iterations = 0;
   double residual = 0;  ///< |v* + dt/m F(v) - v| over |v|
+  double taken = 0;     ///< kinetic energy, sum_i (v*^2 - v^2)/2, per unit of mass [L^2/s^2]
 };
 
 /// What `solved`, which a model keeps, says of the last step: columns of series.csv.
@@ -160,6 +161,7 @@ Solved solve_implicitly(const Sweep& friction, Vectors& v, double tolerance, int
   friction.apply(v, true, residual);
   direction = residual;
   double rr = square_of(residual), vv = square_of(v);
+  const double at_first = vv;
   Solved solved;
   while (rr > tolerance * tolerance * vv && solved.iterations < 2 * n) {
     friction.apply(direction, false, changed);
@@ -181,6 +183,7 @@ Solved solve_implicitly(const Sweep& friction, Vectors& v, double tolerance, int
     ++solved.iterations;
   }
   solved.residual = rr > 0 ? std::sqrt(rr / vv) : 0;
+  solved.taken = (at_first - vv) / 2;
   return solved;
 }
 
