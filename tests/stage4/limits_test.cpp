@@ -148,3 +148,12 @@ TEST_CASE("a change that is refused while a liquid runs changes nothing", "[stag
   run_steps(twin, 10);
   CHECK(same_fluid(sim, twin));
 }
+
+TEST_CASE("water with much artificial viscosity stays calm with the step that is chosen for it", "[stage4]") {
+  const auto alpha = GENERATE(as<std::string>{}, "0.5", "1", "4");
+  CAPTURE(alpha);
+  Simulation tank(stage4::stage().scene("still_water"),
+                  {{"spacing", {"0.05"}}, {"h_over_dx", {"1.5"}}, {"alpha", {alpha}}});
+  while (tank.time() < 1.5) tank.step();
+  CHECK(max_speed(tank.particles()) < 0.01 * std::sqrt(9.81));
+}
