@@ -28,7 +28,7 @@ struct Implicit {
   static Implicit from(Parameters& p) {
     return {Friction::from(p), p.choice(slip_along_walls) == "free",
             p.number({.name = "viscous_tolerance",
-                      .symbol = "",
+                      .symbol = "tol",
                       .unit = "",
                       .value = 1e-5,
                       .range = {.low = 1e-14, .high = 0.1}})};
