@@ -1,6 +1,5 @@
 #include "common/words.hpp"
 
-
 namespace clapotis {
 namespace {
 
@@ -39,6 +38,9 @@ constexpr Words english{
     .no_room_for_drop = "there is no room for a drop at ({x}, {y}) {unit}: liquid and walls are in its place",
     .obstacle_over_liquid =
         "there is liquid at ({x}, {y}) {unit}: erase it first, or draw where there is none",
+    .no_sound_speed =
+        "sound_speed is 10 times the fastest flow, but nothing moves and nothing falls: give it in {unit}/s, "
+        "for example --set sound_speed=10",
     .entry_twice = "{name} = {value} names {entry} twice",
     .integrator_of_particles =
         "{name} does not advance the density of a liquid: here the integrator is one of {known}",

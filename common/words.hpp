@@ -15,7 +15,7 @@ struct Words {
       not_an_integer, not_a_choice, comma_for_dot, needs_restart, derived_parameter, too_many_discs,
       box_too_small, outside_box, no_time_step, vanishing_time_step, too_many_steps, other_unit, from_place,
       threads_out_of_range, spacing_too_large, spacing_too_small, no_room_for_drop, obstacle_over_liquid,
-      entry_twice, integrator_of_particles;
+      no_sound_speed, entry_twice, integrator_of_particles;
   // ranges of values
   std::string_view any_finite, range_above, range_at_least, range_at_most, range_between, or_auto,
       each_or_none;

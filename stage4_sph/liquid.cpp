@@ -37,7 +37,7 @@ Fluid liquid(Parameters& p, double fastest, const Choices& choices) {
   const double reference = p.number(reference_density);
   auto c = sound_speed;
   c.value = 10 * fastest;
-  p.number(c);
+  if (!(p.number(c) > 0)) throw BadInput(say(words().no_sound_speed, fmt::arg("unit", p.length_unit())));
   p.number(polytropic_exponent);
   p.choice(bears_tension);
   p.derive(smoothing_length, h);

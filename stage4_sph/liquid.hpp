@@ -14,8 +14,9 @@ struct Choices {
 };
 
 /// States the parameters of a liquid of the consistent formulation: spacing, h_over_dx, kernel, density,
-/// reference_density, sound_speed (10 times `fastest` unless given), gamma, tension, and what follows from
-/// them. Where the density is a sum, the particle's mass is such that the lattice at rest sums up to rho_0.
+/// reference_density, sound_speed (10 times `fastest` unless given; throws BadInput where both are 0), gamma,
+/// tension, and what follows from them. Where the density is a sum, the particle's mass is such that the
+/// lattice at rest sums up to rho_0.
 Fluid liquid(Parameters& p, double fastest, const Choices& choices = {});
 
 /// A tank of tank_width x tank_height, its walls of particles (walls = dummy) or planes (walls = reflect).

@@ -14,9 +14,12 @@
 namespace clapotis::stage5 {
 namespace {
 
+/// Of a plate, in whole spacings.
+double thickness(double spacing, double support) { return std::ceil(support / spacing - 1e-9) * spacing; }
+
 /// The particles of two plates, below y = 0 and above y = d, as many layers as the support needs.
 Vectors plates(double length, double depth, double spacing, double support) {
-  const double thick = std::ceil(support / spacing - 1e-9) * spacing;
+  const double thick = thickness(spacing, support);
   const Vectors lower = stage4::block(spacing, 0, length, -thick, 0);
   Vectors both(2 * lower.rows(), 2);
   both << lower, lower;
@@ -74,7 +77,7 @@ Setup between_plates(Parameters& p, double force, double speed) {
       .particles = stage4::particles_at(stage4::block(fluid.spacing, 0, length, 0, d), p),
       .model = {},
       .radius = fluid.spacing / 2,
-      .view = {0, length, 0, d},
+      .view = {0, length, -thickness(fluid.spacing, support), d + thickness(fluid.spacing, support)},
       .reference = profile({.depth = d, .viscosity = nu, .force = force, .plate_speed = speed}, fastest),
       .fluid = fluid};
   const auto model_with = [&]<class... Viscous>(std::type_identity<Viscous>...) {

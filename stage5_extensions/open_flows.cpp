@@ -13,6 +13,7 @@
 #include "common/references/impinging_jet.hpp"
 #include "common/simulation/fluid_model.hpp"
 #include "stage5_extensions/parameters.hpp"
+#include "stage5_extensions/probes.hpp"
 #include "stage5_extensions/scenes.hpp"
 
 namespace clapotis::stage5 {
@@ -34,11 +35,6 @@ std::unique_ptr<Model> flow_model(Parameters& p, const Vectors& walls, const Flu
 double number_below(Parameters& p, Parameter parameter, double most) {
   parameter.range.high = most;
   return p.number(parameter);
-}
-
-/// A strip with soft edges, `soft` to either side of its middle: weights with the integral 1 [1/L].
-double soft_strip(double distance, double soft) {
-  return std::abs(distance) < soft ? (1 + std::cos(M_PI * distance / soft)) / (2 * soft) : 0;
 }
 
 /// What presses on a level plate with its face at y = 0: the pressure of its first layer, summed up.

@@ -8,17 +8,20 @@
 #include "common/kernels/wendland_c2.hpp"
 
 namespace clapotis::stage5 {
+
+double soft_strip(double distance, double soft) {
+  return std::abs(distance) < soft ? (1 + std::cos(std::numbers::pi * distance / soft)) / (2 * soft) : 0;
+}
+
 namespace {
 
 /// How high the water stands at x.
 double height_at(double x, double width, double soft, const Particles& particles) {
-  const auto inside = [=](double d) {
-    return std::abs(d) < soft ? (1 + std::cos(std::numbers::pi * d / soft)) / (2 * soft) : 0;
-  };
   double sum = 0;
   for (Index i = 0; i < particles.size(); ++i) {
     const double at = particles.position(i, 0);
-    sum += (inside(x - at) + inside(x + at) + inside(2 * width - x - at)) / particles.density(i);
+    sum += (soft_strip(x - at, soft) + soft_strip(x + at, soft) + soft_strip(2 * width - x - at, soft)) /
+           particles.density(i);
   }
   return particles.uniform_mass * sum;
 }

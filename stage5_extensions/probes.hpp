@@ -8,6 +8,9 @@
 /// What is measured at fixed places of a tank of water between the walls x = 0 and x = width.
 namespace clapotis::stage5 {
 
+/// A strip with soft edges, `soft` to either side of its middle: a weight whose integral is 1 [1/L].
+double soft_strip(double distance, double soft);
+
 /// A wave probe: how far the surface at x is above its place at the start. The height is what is in a strip
 /// around x over the strip's width; the strip has soft edges, four spacings to either side, and goes on
 /// behind the walls as in a mirror.

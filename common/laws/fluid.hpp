@@ -90,16 +90,4 @@ concept StoresBetweenParticles = requires(const L& law, const Pack& r) {
 template <class L>
 concept FluidLaw = ActsByStress<L> || ActsByFriction<L> || StressesWalls<L> || RubsWalls<L>;
 
-/// Nothing to add: a sum of laws of which none acts generates no code.
-struct None {};
-template <class T>
-[[gnu::always_inline]] inline T operator+(None /*nothing*/, const T& a) {
-  return a;
-}
-template <class T>
-[[gnu::always_inline]] inline T operator+(const T& a, None /*nothing*/) {
-  return a;
-}
-inline None operator+(None /*a*/, None /*b*/) { return {}; }
-
 }  // namespace clapotis

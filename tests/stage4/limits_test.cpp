@@ -18,7 +18,8 @@ Scene scene(const std::string& name) { return stage4::stage().scene(name); }
 Simulation dam_break(double times, const std::string& density, const std::string& integrator) {
   const double h = 1.5 * 0.1, c = 10 * std::sqrt(2 * 9.81 * 2);
   return Simulation(scene("dam_break"),
-                    typed({{"spacing", 0.1}, {"density", density}, {"dt", times * 1.55 * h / c}}), integrator);
+                    typed({{"spacing", 0.1}, {"density", density}, {"dt", times * 1.55 * h / c}}),
+                    integrator);
 }
 
 void refused(const std::string& name, const Values& values, const std::vector<std::string>& parts) {
@@ -156,4 +157,14 @@ TEST_CASE("water with much artificial viscosity stays calm with the step that is
                   {{"spacing", {"0.05"}}, {"h_over_dx", {"1.5"}}, {"alpha", {alpha}}});
   while (tank.time() < 1.5) tank.step();
   CHECK(max_speed(tank.particles()) < 0.01 * std::sqrt(9.81));
+}
+
+TEST_CASE("water without weight asks for the speed of its sound", "[stage4]") {
+  const auto scene = GENERATE(as<std::string>{}, "still_water", "dam_break");
+  CHECK_THROWS_WITH(Simulation(stage4::stage().scene(scene), {{"gravity", {"0"}}}),
+                    ContainsSubstring("--set sound_speed=10"));
+  Simulation calm(stage4::stage().scene(scene),
+                  {{"gravity", {"0"}}, {"sound_speed", {"10"}}, {"spacing", {"0.1"}}});
+  for (int k = 0; k < 20; ++k) calm.step();
+  CHECK(max_speed(calm.particles()) < 1e-9);
 }
