@@ -181,7 +181,7 @@ Setup sessile_drop(Parameters& p) {
   places = Vectors(places.bottomRows(half));
   const CircularCap cap{static_cast<double>(half) * fluid.spacing * fluid.spacing, theta};
   const double support = 2 * fluid.h, room = 1.2 * std::max(radius, cap.width() / 2) + support;
-  const double thick = std::ceil(support / fluid.spacing - 1e-9) * fluid.spacing;
+  const double thick = wall_thickness(fluid.spacing, support);
   DummyWalls plate(stage4::block(fluid.spacing, -room, room, -thick, 0), fluid, support);
   Setup setup{.particles = stage4::particles_at(places, p),
               .model = model(p, std::move(plate)),

@@ -14,12 +14,9 @@
 namespace clapotis::stage5 {
 namespace {
 
-/// Of a plate, in whole spacings.
-double thickness(double spacing, double support) { return std::ceil(support / spacing - 1e-9) * spacing; }
-
 /// The particles of two plates, below y = 0 and above y = d, as many layers as the support needs.
 Vectors plates(double length, double depth, double spacing, double support) {
-  const double thick = thickness(spacing, support);
+  const double thick = wall_thickness(spacing, support);
   const Vectors lower = stage4::block(spacing, 0, length, -thick, 0);
   Vectors both(2 * lower.rows(), 2);
   both << lower, lower;
@@ -66,7 +63,7 @@ Setup between_plates(Parameters& p, double force, double speed) {
   const double d = p.number(channel_depth), nu = p.number(stage4::kinematic_viscosity);
   const double fastest = std::abs(force) * d * d / (8 * nu) + std::abs(speed);
   const Fluid fluid = stage4::liquid(p, fastest, wendland_continuity);
-  const double support = 2 * fluid.h;
+  const double support = 2 * fluid.h, thick = wall_thickness(fluid.spacing, support);
   auto at_least_one_support = channel_length;
   at_least_one_support.range = {.low = support};
   const double length = p.number(at_least_one_support);
@@ -77,7 +74,7 @@ Setup between_plates(Parameters& p, double force, double speed) {
       .particles = stage4::particles_at(stage4::block(fluid.spacing, 0, length, 0, d), p),
       .model = {},
       .radius = fluid.spacing / 2,
-      .view = {0, length, -thickness(fluid.spacing, support), d + thickness(fluid.spacing, support)},
+      .view = {0, length, -thick, d + thick},
       .reference = profile({.depth = d, .viscosity = nu, .force = force, .plate_speed = speed}, fastest),
       .fluid = fluid};
   const auto model_with = [&]<class... Viscous>(std::type_identity<Viscous>...) {

@@ -21,9 +21,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// As thick as the kernel's support needs, in whole spacings.
-double thickness(const Fluid& fluid) { return std::ceil(2 * fluid.h / fluid.spacing - 1e-9) * fluid.spacing; }
-
 template <class... Viscosity>
 std::unique_ptr<Model> flow_model(Parameters& p, const Vectors& walls, const Fluid& fluid, OpenEnds ends) {
   return std::make_unique<
@@ -57,7 +54,7 @@ Setup jet(Parameters& p) {
   const Fluid fluid = stage4::liquid(p, speed, wendland_continuity);
   const double half_plate = p.number(plate_width) / 2, height = p.number(jet_height);
   const double width = number_below(p, jet_width, 2 * half_plate), dx = fluid.spacing;
-  const double strip = thickness(fluid), plate_end = half_plate + 2 * strip;
+  const double strip = wall_thickness(fluid.spacing, 2 * fluid.h), plate_end = half_plate + 2 * strip;
   const Vectors plate = stage4::block(dx, -plate_end, plate_end, -strip, 0);
   const Inlet inlet{.rear = {-width / 2, height + strip},
                     .along = {0, -1},
@@ -94,7 +91,8 @@ Setup open_channel(Parameters& p) {
   const FilmFlow exact{depth, nu, DrivingForce::from(p).f};
   const double fastest = exact.velocity(depth), g = Gravity::from(p).g;
   const Fluid fluid = stage4::liquid(p, fastest + std::sqrt(2 * g * depth), wendland_continuity);
-  const double length = p.number(reach), dx = fluid.spacing, strip = thickness(fluid);
+  const double length = p.number(reach), dx = fluid.spacing,
+               strip = wall_thickness(fluid.spacing, 2 * fluid.h);
   const Vectors bed = stage4::block(dx, -2 * strip, length + 2 * strip, -strip, 0);
   const Inlet inlet{
       .rear = {-strip, 0}, .along = {1, 0}, .across = {0, 1}, .length = strip, .width = depth, .spacing = dx};
@@ -142,7 +140,8 @@ Setup draining(Parameters& p) {
   const Fluid fluid = stage4::liquid(p, std::sqrt(2 * g * depth), wendland_continuity);
   const double width = p.number(stage4::tank_width), height = p.number(stage4::tank_height);
   number_below(p, stage4::depth, height);
-  const double slot = number_below(p, slot_width, width), dx = fluid.spacing, floor = thickness(fluid);
+  const double slot = number_below(p, slot_width, width), dx = fluid.spacing,
+               floor = wall_thickness(fluid.spacing, 2 * fluid.h);
   const auto beside = [&](double x) { return std::abs(x - width / 2) > slot / 2; };
   const Vectors all = tank_walls(0, width, 0, height, dx, 2 * fluid.h);
   Vectors walls(all.rows(), 2);

@@ -68,8 +68,16 @@ void DummyWalls::mark_reached(double support) {
   }
 }
 
+Index wall_layers(double spacing, double support) {
+  return static_cast<Index>(std::ceil(support / spacing - 1e-9));
+}
+
+double wall_thickness(double spacing, double support) {
+  return static_cast<double>(wall_layers(spacing, support)) * spacing;
+}
+
 Vectors tank_walls(double left, double right, double bottom, double top, double spacing, double support) {
-  const auto layers = static_cast<Index>(std::ceil(support / spacing - 1e-9));
+  const Index layers = wall_layers(spacing, support);
   const auto across = static_cast<Index>(std::lround((right - left) / spacing)) + 2 * layers;
   const auto up = static_cast<Index>(std::lround((top - bottom) / spacing)) + layers;
   const double pitch = (right - left) / static_cast<double>(across - 2 * layers);

@@ -56,6 +56,11 @@ struct DummyWalls {
   std::vector<std::uint8_t> reached_;                  ///< whether a cell is within reach of the wall
 };
 
+/// How many layers of particles, `spacing` apart, a wall needs so that no neighbour is missing [L].
+Index wall_layers(double spacing, double support);
+/// How thick it is then [L].
+double wall_thickness(double spacing, double support);
+
 /// Where the particles of a tank's floor and side walls stand: a lattice of spacing dx around `inside`, its
 /// first layer half a spacing outside, as many layers as the support needs. The walls rise to `top`.
 Vectors tank_walls(double left, double right, double bottom, double top, double spacing, double support);

@@ -71,18 +71,11 @@ std::optional<Index> Particles::place_of(Index id) const {
   return static_cast<Index>(found - ids_.begin());
 }
 
-void Particles::each_column(const auto& act) {
-  if (size() > 0) {  // where nobody is left, one cannot see which columns there were
-    dense_ = density.size() > 0;
-    rated_ = density_rate.size() > 0;
-  }
-  act(position);
-  act(velocity);
-  act(acceleration);
-  if (dense_) act(density);
-  if (dense_) act(pressure);
-  if (rated_) act(density_rate);
-  for (auto& c : extra) act(c.values);
+/// Where nobody is left, one cannot see which columns there were.
+void Particles::note_columns() {
+  if (size() == 0) return;
+  dense_ = density.size() > 0;
+  rated_ = density_rate.size() > 0;
 }
 
 /// From now on ids are stored.
@@ -95,8 +88,10 @@ void Particles::number() {
 
 Index Particles::append(Index count) {
   number();
+  note_columns();
   const Index before = size();
-  each_column([&](auto& column) {
+  each_column([&](auto& column, bool exists) {
+    if (!exists) return;
     column.conservativeResize(before + count, Eigen::NoChange);
     column.bottomRows(count).setZero();
   });
@@ -113,7 +108,9 @@ void Particles::keep(const std::vector<char>& stays) {
   const auto close_up = [&](const auto& row_of) {
     for (Index k = 0; k < left; ++k) row_of(k, kept[static_cast<std::size_t>(k)]);
   };
-  each_column([&](auto& column) {
+  note_columns();
+  each_column([&](auto& column, bool exists) {
+    if (!exists) return;
     close_up([&](Index to, Index from) { column.row(to) = column.row(from); });
     column.conservativeResize(left, Eigen::NoChange);
   });

@@ -88,13 +88,7 @@ struct Particles {
   /// saves them cannot forget one.
   template <class Visit>
   void pass_state(Visit&& visit) {
-    visit(position);
-    visit(velocity);
-    visit(acceleration);
-    visit(density);
-    visit(density_rate);
-    visit(pressure);
-    for (auto& column : extra) visit(column.values);
+    each_column([&](auto& column, bool /*exists*/) { visit(column); });
     visit(ids_);
     visit(next_id_);
     visit(dense_);
@@ -103,8 +97,17 @@ struct Particles {
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  /// Calls act(column) for all that exist.
-  void each_column(const auto& act);
+  /// Calls act(column, whether it exists) for all that there can be; one may exist where nobody has any.
+  void each_column(const auto& act) {
+    act(position, true);
+    act(velocity, true);
+    act(acceleration, true);
+    act(density, dense_);
+    act(density_rate, rated_);
+    act(pressure, dense_);
+    for (auto& c : extra) act(c.values, true);
+  }
+  void note_columns();
   void number();
 
   std::size_t masses_ = none;           ///< place of the column "mass"

@@ -92,7 +92,7 @@ void add_solids(Picture& picture, const Simulation& simulation) {
   std::vector<Vector> seen;
   for (Index k = 0; k < walls->size(); ++k) {
     const Vector r = row(walls->places, k);
-    if (r.x > view.left && r.x < view.right && r.y > view.bottom && r.y < view.top) seen.push_back(r);
+    if (view.contains(r)) seen.push_back(r);
   }
   picture.solid_x.resize(static_cast<Index>(seen.size()));
   picture.solid_y.resize(static_cast<Index>(seen.size()));

@@ -36,6 +36,10 @@ struct Measure {
 /// The part of the plane that the window and pictures show [L].
 struct View2D {
   double left, right, bottom, top;
+
+  [[nodiscard]] bool contains(const Vector& r) const {
+    return r.x > left && r.x < right && r.y > bottom && r.y < top;
+  }
 };
 
 /// What a scene makes of its parameters: particles, laws, and what to compare with.

@@ -43,10 +43,6 @@ Vectors wall_places(const Simulation& simulation) {
   return walls != nullptr ? walls->places : Vectors(0, 2);
 }
 
-bool inside(const View2D& view, const Vector& r) {
-  return r.x > view.left && r.x < view.right && r.y > view.bottom && r.y < view.top;
-}
-
 [[noreturn]] void refuse(std::string_view sentence, const Vector& at, const Simulation& simulation) {
   throw BadInput(say(sentence, fmt::arg("x", fmt::format("{:.3g}", at.x)),
                      fmt::arg("y", fmt::format("{:.3g}", at.y)),
@@ -73,7 +69,7 @@ void add_drop(Simulation& simulation, const Vector& at, double radius) {
   const Vectors walls = wall_places(simulation);
   std::vector<Vector> room;
   for (const Vector& r : lattice_disc(at, radius, dx))
-    if (inside(simulation.setup().view, r) && !any_near(simulation.particles().position, r, close * dx) &&
+    if (simulation.setup().view.contains(r) && !any_near(simulation.particles().position, r, close * dx) &&
         !any_near(walls, r, close * dx))
       room.push_back(r);
   if (room.empty()) refuse(words().no_room_for_drop, at, simulation);

@@ -269,6 +269,12 @@ void Desk::click(int x, int y, int button) {
            std::to_string(button)});
 }
 
+Pixel Desk::pixel_of(double x, double y, double scene_width, double scene_height) {
+  const Place box = control("domain");
+  return {box.x + static_cast<int>(x / scene_width * box.width),
+          box.y + static_cast<int>((1 - y / scene_height) * box.height)};
+}
+
 void Desk::press(int x, int y, int button) {
   xdotool({"mousemove", "--window", window_, std::to_string(x), std::to_string(y), "mousedown",
            std::to_string(button)});

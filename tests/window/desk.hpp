@@ -40,6 +40,11 @@ struct Place {
   [[nodiscard]] int centre_y() const { return y + height / 2; }
 };
 
+/// A point of a window [pixel].
+struct Pixel {
+  int x = 0, y = 0;
+};
+
 /// A desk of its own for one test: a private X server of 1280 x 800 pixels, a program in it, and real mouse
 /// and key events. The program says through CLAPOTIS_TRACE what its user can see change; a test awaits these
 /// lines and never sleeps. Everything is gone when the desk is, and the log and the pictures stay in the
@@ -80,6 +85,8 @@ class Desk {
   /// Where the program drew the control of that name, in pixels of its window; awaits it.
   Place control(const std::string& name);
   void click_control(const std::string& name);
+  /// Where the point (x, y) of a scene of that size, from its lower left corner, is drawn.
+  Pixel pixel_of(double x, double y, double scene_width, double scene_height);
 
   /// Saves what is on the screen as NAME.png.
   std::filesystem::path picture(const std::string& name);

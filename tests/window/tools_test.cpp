@@ -6,19 +6,12 @@
 #include "tests/window/desk.hpp"
 
 using clapotis::testing::Desk;
-using clapotis::testing::Place;
+using clapotis::testing::Pixel;
 
 namespace {
 
 /// A pixel of the tank, 2.4 m x 1.4 m, that is 0.5 m deep in water.
-struct Spot {
-  int x, y;
-};
-Spot spot_of(Desk& desk, double x, double y) {
-  const Place box = desk.control("domain");
-  return {box.x + static_cast<int>(x / 2.4 * box.width),
-          box.y + static_cast<int>((1 - y / 1.4) * box.height)};
-}
+Pixel spot_of(Desk& desk, double x, double y) { return desk.pixel_of(x, y, 2.4, 1.4); }
 
 /// A desk with the sandbox on it.
 void open_sandbox(Desk& desk, const std::vector<std::string>& more = {}) {
@@ -34,7 +27,7 @@ void open_sandbox(Desk& desk, const std::vector<std::string>& more = {}) {
 TEST_CASE("the pressed mouse pulls the water, follows, and lets go", "[window]") {
   Desk desk("pull");
   open_sandbox(desk);
-  const Spot from = spot_of(desk, 1.2, 0.5), to = spot_of(desk, 1.4, 0.7);
+  const Pixel from = spot_of(desk, 1.2, 0.5), to = spot_of(desk, 1.4, 0.7);
   desk.press(from.x, from.y);
   CHECK(desk.await("hand pulls ").starts_with("1.2"));
   desk.move(to.x, to.y);
@@ -58,7 +51,7 @@ TEST_CASE("drops are added and erased with the mouse, walls drawn where there is
   Desk desk("add_and_erase");
   open_sandbox(desk, {"--paused"});
   const int before = std::stoi(desk.await("particles "));
-  const Spot air = spot_of(desk, 0.6, 1.0), water = spot_of(desk, 1.8, 0.2), wall = spot_of(desk, 1.2, 0.9);
+  const Pixel air = spot_of(desk, 0.6, 1.0), water = spot_of(desk, 1.8, 0.2), wall = spot_of(desk, 1.2, 0.9);
   desk.click_control("tool:add");
   desk.await("tool add");
   desk.click(air.x, air.y);
@@ -85,7 +78,7 @@ TEST_CASE("a tank that is grabbed follows the mouse and returns", "[window]") {
   open_sandbox(desk);
   desk.click_control("tool:grab");
   desk.await("tool grab");
-  const Spot at = spot_of(desk, 1.2, 1.0), aside = spot_of(desk, 1.6, 1.0);
+  const Pixel at = spot_of(desk, 1.2, 1.0), aside = spot_of(desk, 1.6, 1.0);
   desk.press(at.x, at.y);
   desk.move(aside.x, aside.y);
   desk.await("tank moved on");
@@ -99,7 +92,7 @@ TEST_CASE("the probe looks at a particle in the sandbox, too", "[window]") {
   open_sandbox(desk, {"--paused"});
   desk.click_control("tool:probe");
   desk.await("tool probe");
-  const Spot water = spot_of(desk, 1.2, 0.2);
+  const Pixel water = spot_of(desk, 1.2, 0.2);
   desk.click(water.x, water.y);
   CHECK(desk.await("selected ") != "none");
 }

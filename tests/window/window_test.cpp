@@ -12,6 +12,7 @@
 
 using namespace clapotis;
 using clapotis::testing::Desk;
+using clapotis::testing::Pixel;
 using clapotis::testing::Place;
 
 namespace {
@@ -20,14 +21,7 @@ const std::string stage1 = STAGE1_PROGRAM, stage2 = STAGE2_PROGRAM, stage3 = STA
                   stage4 = STAGE4_PROGRAM;
 
 /// Where a point of a scene of 800 x 600 px is drawn.
-struct Pixel {
-  int x, y;
-};
-Pixel pixel_of(Desk& desk, double x, double y) {
-  const Place box = desk.control("domain");
-  return {box.x + static_cast<int>(x / 800 * box.width),
-          box.y + static_cast<int>((1 - y / 600) * box.height)};
-}
+Pixel pixel_of(Desk& desk, double x, double y) { return desk.pixel_of(x, y, 800, 600); }
 
 /// Simulated time is told again and again while the scene runs, however fast this machine paints.
 void await_progress(Desk& desk) {
