@@ -52,7 +52,7 @@ struct Words {
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
       help_print_config, help_preset, help_colour_by, help_integrator, help_seed, help_threads, help_out,
       help_force, help_every, help_frames, help_vtk, help_picture, help_video, help_video_every, help_save,
-      help_resume, help_list, help_json, help_quiet, help_paused, help_scale, help_version, help_help,
+      help_resume, help_list, help_json, help_quiet, help_paused, help_scale, help_theme, help_version, help_help,
       help_epilogue;
 
   // window: its own table, so that its many short words need no prefix
@@ -60,7 +60,7 @@ struct Words {
     // the buttons and the rows of the panel
     std::string_view run, pause, step, reset, speed, slower_than_asked, scene, preset, seed, integrator, live,
         restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
-        beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
+        beyond_stability, view, colour_by, lock_range, grid, vectors, plots, letters, dark, cost, particles, step_cost,
         real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
         pairs_tested, frames, frame_cost;
     // what is painted over the scene
@@ -73,7 +73,7 @@ struct Words {
     std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag, key_control_click,
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
         does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video,
-        does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right,
+        does_picture, does_theme, does_letters, does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right,
         does_right;
   } window;
 };

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <span>
 
+#include "common/runner/ink.hpp"
+
 namespace clapotis {
 namespace {
 
@@ -68,7 +70,8 @@ Colour between(const Colour& a, const Colour& b, float share) {
 Colour at(ColourMap map, double value01) {
   if (std::isnan(value01)) return not_a_number;
   const auto table = table_of(map);
-  const double place = std::clamp(value01, 0.0, 1.0) * double(table.size() - 1);
+  const double skipped = map == ColourMap::viridis ? double(ink::palette().darkest) : 0;
+  const double place = (skipped + (1 - skipped) * std::clamp(value01, 0.0, 1.0)) * double(table.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), table.size() - 2);
   return between(table[below], table[below + 1], static_cast<float>(place - double(below)));
 }

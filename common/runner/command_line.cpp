@@ -36,6 +36,7 @@ constexpr std::array settings{
     Setting{"--resume", "FILE", &Words::help_resume},
     Setting{"--list", "KIND", &Words::help_list},
     Setting{"--scale", "X", &Words::help_scale},
+    Setting{"--theme", "NAME", &Words::help_theme},
 };
 
 struct Flag {

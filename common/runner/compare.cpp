@@ -46,7 +46,7 @@ Plot distance_plot(Distances distances, const Simulation& simulation) {
   const auto& w = words();
   distances.largest.label = w.compare_curve_largest;
   distances.rms.label = w.compare_curve_rms;
-  distances.rms.colour = curve_colours[1];
+  distances.rms.colour = ink::palette().curves[1];
   Plot plot;
   plot.title = w.compare_plot;
   plot.x_label = "t [s]";
@@ -66,7 +66,7 @@ std::optional<Plot> error_plot(const Side& left, const Side& right) {
     if (!side->simulation->setup().reference) continue;
     auto plot = plots(side->history, *side->simulation).back();
     plot.curves.front().label = side == &left ? words().compare_left : words().compare_right;
-    plot.curves.front().colour = curve_colours[colour++];
+    plot.curves.front().colour = ink::palette().curves[colour++];
     if (both) {
       both->curves.push_back(plot.curves.front());
     } else {

@@ -13,7 +13,7 @@ Curve curve(const std::vector<Sample>& samples, std::string_view label, std::siz
             double (*value)(const Sample&)) {
   Curve c;
   c.label = label;
-  c.colour = curve_colours[colour];
+  c.colour = ink::palette().curves[colour];
   for (const auto& sample : samples) {
     c.xs.push_back(sample.time);
     c.ys.push_back(value(sample));

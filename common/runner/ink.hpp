@@ -1,25 +1,49 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "common/runner/canvas.hpp"
 
 namespace clapotis::ink {
 
-// Colours and sizes that pictures and plots share. Sizes are pixels of a 1280 x 720 sheet; each is multiplied
-// by the picture's scale. On a sheet of that size 18 pixels are 1/40 of the height: the least that the back
-// row can read.
+/// Light for a bright room, dark for a dark one.
+enum class Theme { light, dark };
+inline constexpr std::array<std::string_view, 2> theme_names{"light", "dark"};
 
-inline constexpr Colour sheet{0.957F, 0.965F, 0.973F};
-inline constexpr Colour paper{1.0F, 1.0F, 1.0F};
-inline constexpr Colour text{0.11F, 0.14F, 0.18F};
-inline constexpr Colour faint_text{0.33F, 0.37F, 0.42F};
-inline constexpr Colour wall{0.20F, 0.24F, 0.29F};
-inline constexpr Colour grid{0.78F, 0.80F, 0.83F};
-inline constexpr Colour plain_disc{0.16F, 0.42F, 0.69F};
-inline constexpr Colour ghost{0.80F, 0.20F, 0.10F};
-inline constexpr Colour chosen{0.90F, 0.45F, 0.00F};
+/// The colours that pictures, plots and panel share.
+struct Palette {
+  Colour sheet, paper;  ///< around the scene, and behind its particles
+  Colour text, faint_text;
+  Colour wall, grid, plain_disc, ghost, chosen;
+  /// For curves, told apart by the colour-blind: M. Okabe and K. Ito, Color Universal Design (2008).
+  std::array<Colour, 6> curves;
+  float darkest;  ///< share of a colour map that is skipped, as its dark end would be lost on the paper
+  Colour panel, field, button, accent, caution, warning;  ///< of the controls
+};
 
+/// The palette in use, as `words()` are the words in use: light unless somebody chose the other.
+[[nodiscard]] const Palette& palette();
+[[nodiscard]] Theme theme();
+void use(Theme theme);
+
+/// A colour of the palette in use.
+class Tone {
+ public:
+  explicit constexpr Tone(Colour Palette::*part) : part_(part) {}
+  operator Colour() const { return palette().*part_; }  // NOLINT: it stands wherever a colour may
+
+ private:
+  Colour Palette::*part_;
+};
+
+inline constexpr Tone sheet{&Palette::sheet}, paper{&Palette::paper};
+inline constexpr Tone text{&Palette::text}, faint_text{&Palette::faint_text};
+inline constexpr Tone wall{&Palette::wall}, grid{&Palette::grid}, plain_disc{&Palette::plain_disc},
+    ghost{&Palette::ghost}, chosen{&Palette::chosen};
+
+// Sizes are pixels of a 1280 x 720 sheet; each is multiplied by the picture's scale. On a sheet of that size
+// 18 pixels are 1/40 of the height: the least that the back row can read.
 inline constexpr double title = 28, words = 20, numbers = 18;
 inline constexpr double margin = 20;
 

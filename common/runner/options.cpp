@@ -33,6 +33,13 @@ std::string checked_integrator(const Stage& stage, const std::string& name) {
   return name;
 }
 
+ink::Theme checked_theme(const std::string& name) {
+  const auto found = std::ranges::find(ink::theme_names, name);
+  if (found == ink::theme_names.end())
+    throw BadInput(unknown_name("theme", name, {ink::theme_names.begin(), ink::theme_names.end()}));
+  return static_cast<ink::Theme>(found - ink::theme_names.begin());
+}
+
 /// One setting, from whomever it comes.
 void apply(Options& options, const Stage& stage, const std::string& name, const std::string& text,
            Origin origin) {
@@ -46,6 +53,7 @@ void apply(Options& options, const Stage& stage, const std::string& name, const 
   if (name == "vtk") options.vtk = option_number(name, text, positive);
   if (name == "video-every") options.video_every = option_number(name, text, positive);
   if (name == "scale") options.scale = option_number(name, text, a_scale, "");
+  if (name == "theme") options.theme = checked_theme(text);
   if (name == "seed") options.parameters.insert_or_assign("seed", Override{text, origin});
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/runner/ink.hpp"
 #include "common/simulation/scene.hpp"
 
 namespace clapotis {
@@ -40,6 +41,7 @@ struct Options {
   std::optional<std::filesystem::path> save;     ///< where the state goes at the end
   std::shared_ptr<const SavedState> resume;      ///< what to go on from
 
+  ink::Theme theme = ink::Theme::light;
   std::optional<std::string> colour_by;  ///< what pictures show first; the scene's choice otherwise
 
   std::vector<std::string> warnings;  ///< whole sentences

@@ -1,25 +1,15 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "common/runner/canvas.hpp"
+#include "common/runner/ink.hpp"
 
 namespace clapotis {
 
-/// Colours for curves that the colour-blind can tell apart: M. Okabe and K. Ito, Color Universal Design
-/// (2008).
-inline constexpr std::array<Colour, 6> curve_colours{{{0.000F, 0.447F, 0.698F},    // blue
-                                                      {0.835F, 0.369F, 0.000F},    // vermilion
-                                                      {0.000F, 0.620F, 0.451F},    // bluish green
-                                                      {0.800F, 0.475F, 0.655F},    // reddish purple
-                                                      {0.902F, 0.624F, 0.000F},    // orange
-                                                      {0.110F, 0.140F, 0.180F}}};  // near black
-
 struct Curve {
   std::string label;
-  Colour colour = curve_colours[0];
+  Colour colour = ink::palette().curves[0];
   std::vector<double> xs,
       ys;  ///< same size; xs grow; the curve has a gap at a NaN, infinity, or <= 0 when log_y
   bool dashed = false;

@@ -31,6 +31,7 @@ int run(const Stage& stage, int argc, const char* const* argv, const WindowDoor&
     print_result(*command.answer);
     return exit_done;
   }
+  ink::use(command.options.theme);
   if (!command.options.headless) return open_window(stage, command.options, name, window);
   const int code = run_headless(stage, command.options);
   if (code == exit_interrupted) complain(name, words().interrupted);

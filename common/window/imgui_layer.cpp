@@ -160,6 +160,18 @@ ImGuiLayer::ImGuiLayer(double scale, Clipboard clipboard) : clipboard_(std::move
   ImGui_ImplOpenGL2_Init();
 }
 
+void ImGuiLayer::dress(double scale) {
+#if IMGUI_VERSION_NUM < 19200  // from then on the backend notices by itself
+  ImGui_ImplOpenGL2_DestroyFontsTexture();
+#endif
+  ImGui::GetIO().Fonts->Clear();
+  load_fonts(scale);
+#if IMGUI_VERSION_NUM < 19200
+  ImGui_ImplOpenGL2_CreateFontsTexture();
+#endif
+  theme::apply(scale);
+}
+
 ImGuiLayer::~ImGuiLayer() {
   ImGui_ImplOpenGL2_Shutdown();
   ImGui::DestroyContext();

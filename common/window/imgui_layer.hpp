@@ -24,6 +24,7 @@ class ImGuiLayer {
   ImGuiLayer(const ImGuiLayer&) = delete;
   ImGuiLayer& operator=(const ImGuiLayer&) = delete;
 
+  void dress(double scale);  ///< anew, when the scale or the theme has changed; between two frames
   void handle(const Input& input);
   void begin_frame(Point size, double elapsed);  ///< `elapsed` [s] since the last frame
   void paint();                                  ///< the OpenGL state must be free to change

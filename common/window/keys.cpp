@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "common/runner/ink.hpp"
+
 namespace clapotis {
 namespace {
 
@@ -31,7 +33,9 @@ void select(WindowState& state, int direction) {
   state.sight.select_next(state.session.simulation(), direction);
 }
 
-constexpr std::array<Shortcut, 25> table{{
+void other_theme() { ink::use(ink::theme() == ink::Theme::light ? ink::Theme::dark : ink::Theme::light); }
+
+constexpr std::array<Shortcut, 27> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
@@ -58,6 +62,8 @@ constexpr std::array<Shortcut, 25> table{{
     {Key::f9, 0, "F9", &W::does_restore, [](WindowState& s, bool) { s.restore(); }},
     {Key::f10, 0, "F10", &W::does_video, [](WindowState& s, bool) { s.toggle_video(); }},
     {Key::f12, 0, "F12", &W::does_picture, [](WindowState& s, bool) { s.picture_wanted = true; }},
+    {Key::f3, 0, "F3", &W::does_theme, [](WindowState&, bool) { other_theme(); }},
+    {Key::f4, 0, "F4", &W::does_letters, [](WindowState& s, bool) { s.next_scale(); }},
     {Key::f1, 0, "F1", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
     {Key::h, 0, "H", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
     {Key::escape, 0, "Esc", &W::does_quit, escape},

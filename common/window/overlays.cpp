@@ -20,12 +20,12 @@ const Words::Window& w() { return words().window; }
 
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
-/// A white box whose point (share_x, share_y) lies at that share of the area.
+/// A box whose point (share_x, share_y) lies at that share of the area.
 void begin_box(const char* name, const Box& area, float share_x, float share_y, int flags = 0) {
   const ImVec2 at{static_cast<float>(area.corner.x + static_cast<double>(share_x) * area.extent.x),
                   static_cast<float>(area.corner.y + static_cast<double>(share_y) * area.extent.y)};
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, {share_x, share_y});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(1, 1, 1, 1));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::vec(theme::field));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::Begin(name, nullptr, plain_box | flags);
 }

@@ -206,9 +206,9 @@ void Panel::time_step(WindowState& state) {
                           fmt::arg("limit", three_digits(light.limit.limit)),
                           fmt::arg("name", light.limit.name), fmt::arg("formula", light.limit.formula));
   using enum StepLight::Colour;
-  const auto colour = light.colour == red     ? theme::warning
-                      : light.colour == amber ? theme::caution
-                                              : theme::faint;
+  const Colour colour = light.colour == red     ? theme::warning
+                        : light.colour == amber ? theme::caution
+                                                : theme::faint;
   ImGui::PushTextWrapPos(0);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::vec(colour));
   text(reason);
@@ -239,6 +239,22 @@ void Panel::view(WindowState& state) {
   tick("vectors", w().vectors, sight.vectors);
   ImGui::SameLine(start + 0.70F * width);
   tick("plots", w().plots, sight.plots);
+  look(state);
+}
+
+/// Larger letters, for a large room; and the theme, for a dark one.
+void Panel::look(WindowState& state) {
+  const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  const auto percent = [](double scale) { return fmt::format("{:.0f} %", 100 * scale); };
+  std::vector<std::string> names;
+  for (const double scale : scales) names.push_back(percent(scale));
+  if (const auto k = list(state, "scale", w().letters, names, percent(state.scale), 0.40F))
+    state.scale = scales[*k];
+  ImGui::SameLine(start + 0.70F * width);
+  bool dark = ink::theme() == ink::Theme::dark;
+  ImGui::Checkbox((std::string(w().dark) + "###dark").c_str(), &dark);
+  controls_.name_last("dark");
+  ink::use(dark ? ink::Theme::dark : ink::Theme::light);
 }
 
 /// What the left button does, where there is a hand.

@@ -25,6 +25,7 @@ class Panel {
   void parameters(WindowState& state);
   void time_step(WindowState& state);
   void view(WindowState& state);
+  void look(WindowState& state);
   void mouse(WindowState& state);
   void record(WindowState& state);
   void cost(WindowState& state);

@@ -83,6 +83,10 @@ Key key_of(sf::Keyboard::Key code) {
       return Key::alt;
     case K::F1:
       return Key::f1;
+    case K::F3:
+      return Key::f3;
+    case K::F4:
+      return Key::f4;
     case K::F5:
       return Key::f5;
     case K::F9:
@@ -284,6 +288,11 @@ void Screen::end_frame() {
 }
 
 void Screen::rest() { sf::sleep(sf::seconds(1 / 60.0F)); }
+
+void Screen::dress(double scale) {
+  parts_->scale = scale;
+  parts_->imgui.dress(scale);
+}
 
 Canvas& Screen::canvas() { return parts_->canvas; }
 void Screen::title(const std::string& ascii) { parts_->window.setTitle(ascii); }

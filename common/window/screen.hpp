@@ -25,6 +25,8 @@ class Screen {
   void end_frame();
   /// Lets as much time pass as a frame takes, without painting one.
   void rest();
+  /// Takes over another scale, and the colours of the palette in use. Between two frames.
+  void dress(double scale);
   [[nodiscard]] Canvas& canvas();
   void title(const std::string& ascii);
   [[nodiscard]] unsigned long handle() const;  ///< the operating system's name for the window

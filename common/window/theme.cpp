@@ -7,8 +7,12 @@ namespace {
 
 ImVec4 of(Colour c, float opacity = 1) { return {c.red, c.green, c.blue, c.opacity * opacity}; }
 constexpr Colour white{1, 1, 1};
-constexpr Colour border{0.78f, 0.80f, 0.83f};
-constexpr Colour button{0.875f, 0.895f, 0.915f};
+
+/// A share of the way from one colour to another: what the mouse is over moves towards the accent.
+ImVec4 mix(Colour from, Colour to, float share) {
+  const auto part = [share](float a, float b) { return a + share * (b - a); };
+  return {part(from.red, to.red), part(from.green, to.green), part(from.blue, to.blue), 1};
+}
 
 }  // namespace
 
@@ -28,16 +32,19 @@ Bold::~Bold() { ImGui::PopFont(); }
 
 Main::Main() {
   ImGui::PushStyleColor(ImGuiCol_Button, of(accent));
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, of({0.15f, 0.44f, 0.68f}));
-  ImGui::PushStyleColor(ImGuiCol_ButtonActive, of({0.07f, 0.29f, 0.48f}));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, mix(accent, white, 0.12F));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, mix(accent, {0, 0, 0}, 0.2F));
   ImGui::PushStyleColor(ImGuiCol_Text, of(white));
 }
 
 Main::~Main() { ImGui::PopStyleColor(4); }
 
 void apply(double scale) {
-  ImGui::StyleColorsLight();
-  auto& style = ImGui::GetStyle();
+  auto& style = ImGui::GetStyle() = ImGuiStyle();  // distances are multiplied below: never twice
+  if (ink::theme() == ink::Theme::dark)
+    ImGui::StyleColorsDark();
+  else
+    ImGui::StyleColorsLight();
   style.WindowPadding = {14, 10};
   style.FramePadding = {8, 3};
   style.ItemSpacing = {8, 6};
@@ -49,27 +56,28 @@ void apply(double scale) {
   style.WindowBorderSize = 0;
   style.FrameBorderSize = 1;
   style.ScaleAllSizes(static_cast<float>(scale));
+  const auto& p = ink::palette();
   auto* colours = style.Colors;
-  colours[ImGuiCol_Text] = of(ink);
-  colours[ImGuiCol_TextDisabled] = of(faint);
-  colours[ImGuiCol_WindowBg] = of(panel);
-  colours[ImGuiCol_ChildBg] = of(panel, 0);
-  colours[ImGuiCol_PopupBg] = of(white);
-  colours[ImGuiCol_Border] = of(border);
-  colours[ImGuiCol_FrameBg] = of(white);
-  colours[ImGuiCol_FrameBgHovered] = of({0.93f, 0.955f, 0.98f});
-  colours[ImGuiCol_FrameBgActive] = of({0.88f, 0.93f, 0.98f});
-  colours[ImGuiCol_Button] = of(button);
-  colours[ImGuiCol_ButtonHovered] = of({0.80f, 0.86f, 0.92f});
-  colours[ImGuiCol_ButtonActive] = of({0.70f, 0.80f, 0.90f});
-  colours[ImGuiCol_SliderGrab] = of(accent, 0.42f);
-  colours[ImGuiCol_SliderGrabActive] = of(accent, 0.6f);
-  colours[ImGuiCol_CheckMark] = of(accent);
-  colours[ImGuiCol_Header] = of({0.86f, 0.905f, 0.95f});
-  colours[ImGuiCol_HeaderHovered] = of({0.80f, 0.87f, 0.94f});
-  colours[ImGuiCol_HeaderActive] = of({0.72f, 0.82f, 0.92f});
-  colours[ImGuiCol_Separator] = of(border);
-  colours[ImGuiCol_TextSelectedBg] = of(accent, 0.30f);
+  colours[ImGuiCol_Text] = of(p.text);
+  colours[ImGuiCol_TextDisabled] = of(p.faint_text);
+  colours[ImGuiCol_WindowBg] = of(p.panel);
+  colours[ImGuiCol_ChildBg] = of(p.panel, 0);
+  colours[ImGuiCol_PopupBg] = of(p.field);
+  colours[ImGuiCol_Border] = of(p.grid);
+  colours[ImGuiCol_FrameBg] = of(p.field);
+  colours[ImGuiCol_FrameBgHovered] = mix(p.field, p.accent, 0.08F);
+  colours[ImGuiCol_FrameBgActive] = mix(p.field, p.accent, 0.14F);
+  colours[ImGuiCol_Button] = of(p.button);
+  colours[ImGuiCol_ButtonHovered] = mix(p.button, p.accent, 0.14F);
+  colours[ImGuiCol_ButtonActive] = mix(p.button, p.accent, 0.32F);
+  colours[ImGuiCol_SliderGrab] = of(p.accent, 0.42F);
+  colours[ImGuiCol_SliderGrabActive] = of(p.accent, 0.6F);
+  colours[ImGuiCol_CheckMark] = of(p.accent);
+  colours[ImGuiCol_Header] = mix(p.field, p.accent, 0.16F);
+  colours[ImGuiCol_HeaderHovered] = mix(p.field, p.accent, 0.24F);
+  colours[ImGuiCol_HeaderActive] = mix(p.field, p.accent, 0.34F);
+  colours[ImGuiCol_Separator] = of(p.grid);
+  colours[ImGuiCol_TextSelectedBg] = of(p.accent, 0.30F);
 }
 
 }  // namespace clapotis::theme

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "common/laws/hand.hpp"
+#include "common/runner/ink.hpp"
 #include "common/window/step_light.hpp"
 
 namespace clapotis {
@@ -29,6 +30,8 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["vectors"] = on("velocities", sight.vectors);
   now["plots"] = on("plots", sight.plots);
   now["recording"] = on("recording", state.recorder.recording());
+  now["theme"] = fmt::format("theme {}", ink::theme_names[static_cast<std::size_t>(ink::theme())]);
+  now["scale"] = fmt::format("scale {:.4g}", state.scale);
   now["panel"] = on("panel", state.panel);
   now["help"] = on("help", state.help);
   using enum StepLight::Colour;

@@ -26,6 +26,7 @@ namespace {
 
 constexpr double budget = 0.012;        // seconds of computing per frame of 1/60 s
 constexpr double panel_width = 400;     // [pixel] at scale 1
+constexpr double widest_panel = 0.6;    // of the window: large letters leave room for the scene
 constexpr double title_interval = 0.1;  // s; window managers redraw their frame for each new title
 
 /// In ASCII, as some window managers show nothing else.
@@ -134,9 +135,17 @@ class Window {
     if (session.diverged()) state_.notice = {};  // it says all that, and more
   }
 
+  /// Takes over the scale and the theme, where the user has chosen others.
+  void dress() {
+    const auto theme = ink::theme();
+    if (state_.scale == screen_.scale() && std::exchange(theme_, theme) == theme) return;
+    screen_.dress(state_.scale);
+  }
+
   void paint(double elapsed) {
+    dress();
     const Point size = screen_.size();
-    const double side = state_.panel ? std::min(panel_width * state_.scale, size.x) : 0;
+    const double side = state_.panel ? std::min(panel_width * state_.scale, widest_panel * size.x) : 0;
     const Box scene{{0, 0}, {size.x - side, size.y}}, panel{{size.x - side, 0}, {side, size.y}};
     screen_.begin_frame(ink::sheet);
     if (scene.extent.x > 1 && scene.extent.y > 1) view_.paint(screen_.canvas(), state_, scene);
@@ -192,6 +201,7 @@ class Window {
   long starts_ = 0;
   std::optional<std::size_t> scene_;
   std::size_t warnings_ = 0;
+  ink::Theme theme_ = ink::theme();  ///< that the controls wear
   StepLight::Colour light_ = StepLight::Colour::calm;
 };
 

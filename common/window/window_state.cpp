@@ -1,5 +1,7 @@
 #include "common/window/window_state.hpp"
 
+#include <algorithm>
+
 #include "common/runner/particle_table.hpp"
 #include "common/runner/vtk_files.hpp"
 #include "common/words.hpp"
@@ -14,6 +16,11 @@ std::string about_file(std::string_view sentence, const std::string& file) {
 }
 
 }  // namespace
+
+void WindowState::next_scale() {
+  const auto larger = std::ranges::upper_bound(scales, scale + 1e-9);
+  scale = larger == scales.end() ? scales.front() : *larger;
+}
 
 void WindowState::save() {
   attempt([&] {

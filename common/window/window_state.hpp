@@ -27,6 +27,9 @@ inline std::string tool_name(Tool tool) { return tool_names[static_cast<std::siz
 /// How far it reaches around the mouse; 0 where it acts on a point or on the whole tank [L].
 [[nodiscard]] double brush_radius(const Simulation& simulation, Tool tool);
 
+/// How large letters and lines can be made while the window is open; 1 suits 1280 x 720.
+inline constexpr std::array<double, 5> scales{1, 1.25, 1.5, 1.75, 2};
+
 /// All that the user of the window can change, and what every part of it reads.
 struct WindowState {
   Session session;
@@ -43,6 +46,7 @@ struct WindowState {
   Tool tool = Tool::probe;
   std::optional<Point> mouse{};  ///< where it is in the window [pixel]
 
+  void next_scale();    ///< of letters and lines, after the last of `scales` the first
   void save();          ///< the state, and says where
   void restore();       ///< the state saved last
   void write_table();   ///< of all particles as they stand, and says where

@@ -54,6 +54,7 @@ TEST_CASE("a word that names nothing is refused with the nearest that does", "[r
       {{"--resume", "no.state"}, 4, "cannot read no.state"},
       {{"--headless", "--vdeo=f.mp4"}, 2, "did you mean --video?"},
       {{"--headless", "--vtk", "0"}, 2, "vtk must be > 0 s"},
+      {{"--headless", "--theme", "drak"}, 2, "did you mean dark?"},
       {{"--lang", "fr"}, 2, "no option --lang"},
       {{"-x"}, 2, "no option -x"},
   };

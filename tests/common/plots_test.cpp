@@ -18,7 +18,7 @@ Plot plot_of(std::vector<double> ys, bool log_y = false) {
   return {"Energies",
           "t [s]",
           "E [J]",
-          {{"total", curve_colours[0], std::move(xs), std::move(ys), false}},
+          {{"total", ink::palette().curves[0], std::move(xs), std::move(ys), false}},
           log_y};
 }
 
