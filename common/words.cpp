@@ -1,5 +1,9 @@
 #include "common/words.hpp"
 
+#include <atomic>
+
+#include "common/words_french.hpp"
+
 namespace clapotis {
 namespace {
 
@@ -133,6 +137,9 @@ constexpr Words english{
     .interrupted = "interrupted; what was computed so far is kept",
     .no_memory = "not enough memory: take fewer particles",
     .own_fault = "a fault of the program itself: {what}",
+    .standard_output = "standard output",
+    .no_greek_letters = "DejaVuSans.ttf not found, Greek letters will be missing (install fonts-dejavu-core)",
+    .no_letters = "no text in the picture without DejaVuSans.ttf (install fonts-dejavu-core)",
     .progress = "{percent} %, t = {time} s, {left} left",
     .summary_run =
         "{folder}: {reason} at t = {time} s\n"
@@ -188,6 +195,7 @@ constexpr Words english{
         "difference at most:    {largest} {unit} ({share} %), at t = {time} s, particle {particle}\n",
     .compare_ratio = "right over left:       {cpu} in processor time, {step} per step\n",
     .compare_plot = "Difference",
+    .compare_distance = "|r left - r right|",
     .compare_curve_largest = "largest",
     .compare_curve_rms = "rms",
     .help_compare =
@@ -237,6 +245,7 @@ constexpr Words english{
     .help_paused = "open the window at rest",
     .help_scale = "size of the window's letters, 0.25 to 8",
     .help_theme = "colours of window, pictures and films: light or dark",
+    .help_lang = "en or fr; otherwise as LC_ALL, LC_MESSAGES or LANG says",
     .help_version = "print the version, and end",
     .help_help = "print this, and end",
     .help_epilogue =
@@ -246,6 +255,8 @@ constexpr Words english{
         "Exit codes: 0 done, 1 a check failed, 2 usage or bad parameter, 3 no display, 4 input or output,\n"
         "5 diverged, 130 interrupted (what was computed is kept).\n\n"
         "Example: {stage} {scene} --headless --until 2 --set gravity=3 --out runs/moon",
+    .help_usage = "Usage",
+    .help_arguments = "Positionals",
 
     .window =
         {
@@ -257,7 +268,6 @@ constexpr Words english{
             .slower_than_asked = "runs at x{factor}",
             .scene = "scene",
             .preset = "preset",
-            .seed = "seed",
             .integrator = "integrator",
             .live = "Parameters (live)",
             .restart = "Start (a change restarts)",
@@ -337,8 +347,6 @@ constexpr Words english{
             .does_restore = "back to the state saved last",
             .does_video = "begin or end a video",
             .does_picture = "save a picture",
-            .does_theme = "light or dark",
-            .does_letters = "larger letters",
             .does_help = "this help",
             .does_quit = "close what is open, then quit",
             .does_select = "look at one particle and its neighbours",
@@ -347,13 +355,25 @@ constexpr Words english{
             .does_type = "type it (Enter takes it)",
             .key_right = "Right button",
             .does_right = "pull the liquid (sandbox)",
+            .does_language = "en français",
+            .does_theme = "light or dark",
+            .does_letters = "larger letters",
         },
 };
 
+static_assert(english == french, "a French sentence does not say what the English one says");
+
+/// The one thing that all threads share of a language.
+std::atomic<Language>& in_use() {
+  static std::atomic<Language> language{Language::english};
+  return language;
+}
+
 }  // namespace
 
-const Words& words() { return english; }
+Language language() { return in_use(); }
+void speak(Language language) { in_use() = language; }
 
-std::string_view called(std::string_view name) { return name == "density_error" ? "density error" : name; }
+const Words& words() { return language() == Language::french ? french : english; }
 
 }  // namespace clapotis

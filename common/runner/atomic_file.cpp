@@ -27,7 +27,7 @@ std::filesystem::path part_of(const std::filesystem::path& path) {
 
 void refuse_file(std::string_view sentence, const std::filesystem::path& path, int error_number) {
   throw FileError(say(sentence, fmt::arg("file", path.string()),
-                      fmt::arg("reason", std::generic_category().message(error_number))));
+                      fmt::arg("reason", called(std::generic_category().message(error_number)))));
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path, Unfinished unfinished)

@@ -13,7 +13,7 @@ namespace {
 struct Setting {
   const char* option;
   const char* value;  ///< what stands for it in the help
-  std::string_view Words::*help;
+  Word Words::*help;
 };
 
 constexpr std::array settings{
@@ -37,11 +37,12 @@ constexpr std::array settings{
     Setting{"--list", "KIND", &Words::help_list},
     Setting{"--scale", "X", &Words::help_scale},
     Setting{"--theme", "NAME", &Words::help_theme},
+    Setting{"--lang", "en|fr", &Words::help_lang},
 };
 
 struct Flag {
   const char* option;
-  std::string_view Words::*help;
+  Word Words::*help;
 };
 
 constexpr std::array flags{
@@ -61,12 +62,19 @@ std::string epilogue(const Stage& stage) {
              fmt::arg("scene", stage.scenes.front().name));
 }
 
-/// Said here rather than by CLI11, whose sentences differ from one version to the next.
-void refuse_values(int argc, const char* const* argv, const std::vector<std::string>& takes_value) {
+}  // namespace
+
+void name_parts(CLI::App& app) {
+  app.get_formatter()->label("Usage", std::string(words().help_usage));
+  app.get_formatter()->label("Positionals", std::string(words().help_arguments));
+}
+
+void refuse_values(int argc, const char* const* argv, const std::vector<std::string>& takes_value,
+                   const std::vector<std::string>& takes_none) {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    for (const auto& flag : flags)
-      if (const auto option = "--" + plain_name(flag.option); word.starts_with(option + '='))
+    for (const auto& option : takes_none)
+      if (word.starts_with(option + '='))
         throw BadInput(say(words().option_takes_no_value, fmt::arg("option", option)));
     const bool has_value = k + 1 < argc && !std::string_view(argv[k + 1]).starts_with("--");
     if (!has_value && std::find(takes_value.begin(), takes_value.end(), word) != takes_value.end())
@@ -74,32 +82,33 @@ void refuse_values(int argc, const char* const* argv, const std::vector<std::str
   }
 }
 
-}  // namespace
-
 Arguments sort_arguments(const Stage& stage, int argc, const char* const* argv) {
   Arguments found;
-  CLI::App app(std::string(stage.title));
+  CLI::App app(std::string(called(stage.title)));
   app.name(stage.name);
+  name_parts(app);
   app.set_help_flag();
   app.allow_extras();
   app.add_option("SCENE", found.settings["scene"], std::string(words().help_scene))->type_name("");
   app.add_option("--set", found.set, std::string(words().help_set))
-      ->type_name("NAME=VALUE")
+      ->type_name(std::string(called("NAME=VALUE")))
       ->allow_extra_args(false);
   found.options.emplace_back("--set");
   for (const auto& setting : settings) {
     app.add_option(setting.option, found.settings[plain_name(setting.option)],
                    std::string(words().*setting.help))
-        ->type_name(setting.value)
+        ->type_name(std::string(called(setting.value)))
         ->take_last();
     found.options.emplace_back(setting.option);
   }
-  refuse_values(argc, argv, found.options);
+  std::vector<std::string> without_value;
   for (const auto& flag : flags) {
     app.add_flag(flag.option, found.flags[plain_name(flag.option)], std::string(words().*flag.help))
         ->take_last();
-    found.options.push_back("--" + plain_name(flag.option));
+    without_value.push_back("--" + plain_name(flag.option));
   }
+  refuse_values(argc, argv, found.options, without_value);
+  found.options.insert(found.options.end(), without_value.begin(), without_value.end());
   app.footer(epilogue(stage));
   try {
     app.parse(argc, argv);

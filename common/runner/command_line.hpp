@@ -7,6 +7,10 @@
 
 #include "common/simulation/scene.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace clapotis {
 
 /// The words of a command line, sorted but not yet understood.
@@ -19,6 +23,14 @@ struct Arguments {
   std::string help;                                ///< what --help prints
   std::vector<std::string> options;                ///< all there are: "--headless", ...
 };
+
+/// Gives the headings of the help their names in the language in use.
+void name_parts(CLI::App& app);
+
+/// Throws BadInput for an option that lacks its value, or has one to no purpose; said here rather than by
+/// CLI11, whose sentences differ from one version to the next, and are English.
+void refuse_values(int argc, const char* const* argv, const std::vector<std::string>& takes_value,
+                   const std::vector<std::string>& takes_none);
 
 /// Throws BadInput for an option that lacks its value.
 Arguments sort_arguments(const Stage& stage, int argc, const char* const* argv);

@@ -10,6 +10,7 @@
 #include "common/runner/describe.hpp"
 #include "common/runner/exit_code.hpp"
 #include "common/runner/interrupt.hpp"
+#include "common/runner/language_option.hpp"
 #include "common/runner/numbers.hpp"
 #include "common/runner/progress.hpp"
 #include "common/runner/run_folder.hpp"
@@ -50,7 +51,7 @@ Plot distance_plot(Distances distances, const Simulation& simulation) {
   Plot plot;
   plot.title = w.compare_plot;
   plot.x_label = "t [s]";
-  plot.y_label = "|r left - r right| [" + simulation.scene().length_unit + "]";
+  plot.y_label = std::string(w.compare_distance) + " [" + simulation.scene().length_unit + "]";
   plot.curves.push_back(std::move(distances.largest));
   if (simulation.particles().size() > 1)
     plot.curves.push_back(std::move(distances.rms));  // of one they are the same
@@ -108,6 +109,7 @@ int finish(const CompareOptions& options, const RunFolder& folder, const Compari
 }
 
 int run(std::span<const Stage> stages, int argc, const char* const* argv) {
+  choose_language(argc, argv);
   const auto options = read_compare_options(stages, argc, argv);
   if (options.answer) {
     print_result(*options.answer);

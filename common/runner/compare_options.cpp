@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/runner/command_line.hpp"
 #include "common/runner/numbers.hpp"
 #include "common/simulation/errors.hpp"
 #include "common/words.hpp"
@@ -44,7 +45,7 @@ void assign(SideOptions& side, const std::string& assignment) {
 /// What the words of the command line are, before they are understood.
 struct Raw {
   std::vector<std::string> sides;
-  std::string until, steps, every, out;
+  std::string until, steps, every, out, lang;
 };
 
 void understand(CompareOptions& options, const Raw& raw, const CLI::App& app) {
@@ -59,11 +60,15 @@ void understand(CompareOptions& options, const Raw& raw, const CLI::App& app) {
   options.out = raw.out;
 }
 
+const std::vector<std::string> with_value{"--until", "--steps", "--every", "--out", "--lang"},
+    without_value{"--force", "--json", "--quiet", "--help"};
+
 void refuse_unknown(const CLI::App& app) {
   for (const auto& word : app.remaining()) {
     if (!word.starts_with('-')) continue;
-    const auto near =
-        nearest(word, {"--until", "--steps", "--every", "--out", "--force", "--json", "--quiet", "--help"});
+    auto known = with_value;
+    known.insert(known.end(), without_value.begin(), without_value.end());
+    const auto near = nearest(word, known);
     const auto hint = near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
     throw BadInput(say(words().unknown_option, fmt::arg("option", word), fmt::arg("hint", hint)));
   }
@@ -98,6 +103,7 @@ CompareOptions read_compare_options(std::span<const Stage> stages, int argc, con
   const auto& w = words();
   CLI::App app(std::string(w.help_compare));
   app.name("compare");
+  name_parts(app);
   app.set_help_flag();
   app.allow_extras();
   raw.sides.resize(2);
@@ -106,11 +112,15 @@ CompareOptions read_compare_options(std::span<const Stage> stages, int argc, con
   app.add_option("--until", raw.until, std::string(w.help_until))->type_name("T")->take_last();
   app.add_option("--steps", raw.steps, std::string(w.help_compare_steps))->type_name("N")->take_last();
   app.add_option("--every", raw.every, std::string(w.help_compare_every))->type_name("DT")->take_last();
-  app.add_option("--out", raw.out, std::string(w.help_compare_out))->type_name("DIR")->take_last();
+  app.add_option("--out", raw.out, std::string(w.help_compare_out))
+      ->type_name(std::string(called("DIR")))
+      ->take_last();
+  app.add_option("--lang", raw.lang, std::string(w.help_lang))->type_name("en|fr")->take_last();
   app.add_flag("--force", options.force, std::string(w.help_force));
   app.add_flag("--json", options.json, std::string(w.help_compare_json));
   app.add_flag("--quiet", options.quiet, std::string(w.help_quiet));
   app.add_flag("-h,--help", help, std::string(w.help_help));
+  refuse_values(argc, argv, with_value, without_value);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

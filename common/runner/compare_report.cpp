@@ -113,9 +113,9 @@ std::string side_lines(std::string_view name, const Side& side) {
                   fmt::arg("evaluations", side.simulation->system().force_evaluations),
                   fmt::arg("drift", fmt::format("{:.2e}", energy_drift(side))));
   if (const auto& reference = s.setup().reference)
-    text += say(w.summary_error, fmt::arg("measure", reference->measure),
+    text += say(w.summary_error, fmt::arg("measure", called(reference->measure)),
                 fmt::arg("unit", reference->unit.empty() ? "" : " " + reference->unit),
-                fmt::arg("reference", reference->name), fmt::arg("error", short_number(s.error())),
+                fmt::arg("reference", called(reference->name)), fmt::arg("error", short_number(s.error())),
                 fmt::arg("largest", short_number(side.history.largest_error())));
   if (!side.runs()) text += say(w.summary_warning, fmt::arg("warning", side.divergence));
   for (const auto& warning : s.warnings()) text += say(w.summary_warning, fmt::arg("warning", warning));

@@ -107,7 +107,7 @@ void add_ghosts(Picture& picture, const Simulation& simulation) {
   if (!reference || !reference->positions) return;
   const Vectors positions = reference->positions(simulation.time());
   if (positions.rows() == 0 || !positions.allFinite()) return;
-  picture.ghosts = Ghosts{positions.col(0), positions.col(1), reference->name,
+  picture.ghosts = Ghosts{positions.col(0), positions.col(1), std::string(called(reference->name)),
                           positions.rows() != simulation.particles().size()};
 }
 
@@ -128,7 +128,7 @@ std::string error_note(const Simulation& simulation) {
   const double error = simulation.error();
   if (!reference || !std::isfinite(error)) return {};
   const auto unit = reference->unit.empty() ? "" : " " + reference->unit;
-  return fmt::format("{} = {:.2e}{}", reference->measure, error, unit);
+  return fmt::format("{} = {:.2e}{}", called(reference->measure), error, unit);
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   const auto& particles = simulation.particles();
   const auto& view = simulation.setup().view;
   Picture picture;
-  picture.title = stage_title + " - " + simulation.scene().name;
+  picture.title = std::string(called(stage_title)) + " - " + simulation.scene().name;
   picture.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}   {}", simulation.time(),
                                  step_text(simulation), particles.size(), simulation.integrator());
   picture.lower = {view.left, view.bottom};

@@ -24,7 +24,8 @@ void complain(std::string_view name, std::string_view sentence) {
 
 void print_result(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!written || std::fflush(stdout) != 0) refuse_file(words().cannot_write, "standard output", errno);
+  if (!written || std::fflush(stdout) != 0)
+    refuse_file(words().cannot_write, std::string(words().standard_output), errno);
 }
 
 int with_exit_code(const char* program_path, const std::function<int()>& program) {

@@ -45,10 +45,11 @@ Plot energy_plot(const std::vector<Sample>& samples, const Simulation& simulatio
 
 Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) {
   Plot plot;
-  plot.title = say(words().plot_error, fmt::arg("reference", reference.name));
+  plot.title = say(words().plot_error, fmt::arg("reference", called(reference.name)));
   plot.x_label = "t [s]";
   if (!reference.unit.empty()) plot.y_label = fmt::format("[{}]", printed(reference.unit));
-  plot.curves.push_back(curve(samples, reference.measure, 1, [](const Sample& s) { return s.error; }));
+  plot.curves.push_back(
+      curve(samples, called(reference.measure), 1, [](const Sample& s) { return s.error; }));
   plot.log_y = true;
   return plot;
 }

@@ -74,7 +74,7 @@ std::vector<std::string> as_row(const Parameter& p) {
           unit,
           p.text(),
           p.derived ? "-" : allowed,
-          std::string(live_or_restart(p)),
+          std::string(called(live_or_restart(p))),
           std::string(meaning(p.name))};
 }
 
@@ -189,12 +189,12 @@ std::string configuration(const Stage& stage, const Options& options) {
   for (const auto& line : settings(stage, options)) {
     object[line.name] = line.value;
     rows.push_back({line.name, text_of(line.value), line.unit.empty() ? "-" : line.unit,
-                    std::string(name_of(line.origin))});
+                    std::string(called(name_of(line.origin)))});
   }
   object["parameters"] = parameters_json(simulation->parameters());
   for (const auto& p : simulation->parameters().all())
     rows.push_back({p.name, p.text(), p.unit.empty() ? "-" : p.unit,
-                    std::string(p.derived ? origin_of_results : name_of(p.origin))});
+                    std::string(called(p.derived ? origin_of_results : name_of(p.origin)))});
   return options.json ? object.dump(2) + "\n" : table(rows);
 }
 

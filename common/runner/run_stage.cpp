@@ -2,6 +2,7 @@
 
 #include "common/runner/exit_code.hpp"
 #include "common/runner/headless.hpp"
+#include "common/runner/language_option.hpp"
 #include "common/runner/saved_state.hpp"
 #include "common/words.hpp"
 
@@ -23,6 +24,7 @@ int open_window(const Stage& stage, const Options& options, std::string_view nam
 }
 
 int run(const Stage& stage, int argc, const char* const* argv, const WindowDoor& window) {
+  choose_language(argc, argv);
   const auto name = program_name(argv[0]);
   const auto command = read_command_line(stage, argc, argv);
   if (!command.options.quiet)

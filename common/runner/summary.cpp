@@ -47,9 +47,9 @@ std::string energy_line(const Simulation& s, const RunResult& result) {
 std::string error_line(const Simulation& s, const RunResult& result) {
   const auto& reference = *s.setup().reference;
   const double error = s.error();
-  return say(words().summary_error, fmt::arg("measure", reference.measure),
+  return say(words().summary_error, fmt::arg("measure", called(reference.measure)),
              fmt::arg("unit", reference.unit.empty() ? "" : " " + reference.unit),
-             fmt::arg("reference", reference.name),
+             fmt::arg("reference", called(reference.name)),
              fmt::arg("largest", fmt::format("{:.3e}", result.largest_error)),
              fmt::arg("error", std::isfinite(error) ? fmt::format("{:.3e}", error) : "-"));
 }

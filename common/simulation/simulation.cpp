@@ -22,8 +22,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 std::string about(std::string_view sentence, double dt, const StepLimit& limit) {
   return say(sentence, fmt::arg("dt", fmt::format("{:.4g}", dt)),
-             fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)), fmt::arg("limit", limit.name),
-             fmt::arg("formula", limit.formula));
+             fmt::arg("ratio", fmt::format("{:.3g}", dt / limit.limit)),
+             fmt::arg("limit", called(limit.name, Naming::limit)), fmt::arg("formula", limit.formula));
 }
 
 }  // namespace

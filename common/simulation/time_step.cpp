@@ -44,7 +44,7 @@ double choose_dt(double wanted, const std::vector<StepLimit>& limits) {
   const double dt = least.share * least.limit;
   if (std::isinf(dt)) throw BadInput(std::string(words().no_time_step));
   if (!(dt > 0))
-    throw BadInput(say(words().vanishing_time_step, fmt::arg("limit", least.name),
+    throw BadInput(say(words().vanishing_time_step, fmt::arg("limit", called(least.name, Naming::limit)),
                        fmt::arg("formula", least.formula), fmt::arg("dt", to_text(dt))));
   return dt;
 }

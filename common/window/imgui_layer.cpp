@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "backends/imgui_impl_opengl2.h"
+#include "common/runner/exit_code.hpp"
 #include "common/window/fonts.hpp"
 #include "common/window/theme.hpp"
+#include "common/words.hpp"
 #include "imgui.h"
 
 namespace clapotis {
@@ -115,9 +116,7 @@ void load_fonts(double scale) {
     }
   }
   if (fonts.Fonts.empty()) {
-    std::fprintf(
-        stderr,
-        "clapotis: DejaVuSans.ttf not found, Greek letters will be missing (install fonts-dejavu-core)\n");
+    complain("clapotis", words().no_greek_letters);
     ImFontConfig plain;
     plain.SizePixels = size;
     fonts.AddFontDefault(&plain);

@@ -29,13 +29,17 @@ void escape(WindowState& state, bool /*shift*/) {
   }
 }
 
+void switch_language(WindowState& /*state*/, bool /*shift*/) {
+  speak(language() == Language::english ? Language::french : Language::english);
+}
+
 void select(WindowState& state, int direction) {
   state.sight.select_next(state.session.simulation(), direction);
 }
 
 void other_theme() { ink::use(ink::theme() == ink::Theme::light ? ink::Theme::dark : ink::Theme::light); }
 
-constexpr std::array<Shortcut, 27> table{{
+constexpr std::array<Shortcut, 28> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
@@ -66,6 +70,7 @@ constexpr std::array<Shortcut, 27> table{{
     {Key::f4, 0, "F4", &W::does_letters, [](WindowState& s, bool) { s.next_scale(); }},
     {Key::f1, 0, "F1", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
     {Key::h, 0, "H", &W::does_help, [](WindowState& s, bool) { s.help = !s.help; }},
+    {Key::f2, 0, "F2", &W::does_language, switch_language},
     {Key::escape, 0, "Esc", &W::does_quit, escape},
 }};
 

@@ -15,7 +15,7 @@ struct Shortcut {
   Key key;  ///< other: it is the character that counts
   char32_t character;
   std::string_view label;  ///< "Space", "N", ","
-  std::string_view Words::Window::*does;
+  Word Words::Window::*does;
   void (*act)(WindowState& state, bool shift);
   bool repeats = false;  ///< while the key is held
 };

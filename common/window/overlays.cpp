@@ -130,7 +130,7 @@ void lay_out_help(WindowState& state, const Box& area) {
   std::vector<std::pair<std::string, std::string_view>> lines;
   for (const auto& shortcut : shortcuts()) {
     const auto does = w().*shortcut.does;
-    const std::string label(shortcut.label);
+    const std::string label(called(shortcut.label));
     if (lines.empty() || lines.back().second != does) {
       lines.emplace_back(label, does);
     } else if (!lines.back().first.ends_with(label)) {

@@ -204,7 +204,8 @@ void Panel::time_step(WindowState& state) {
   const auto light = step_light(simulation);
   const auto reason = say(w().share_of_limit, fmt::arg("share", fmt::format("{:.0f}", 100 * light.share)),
                           fmt::arg("limit", three_digits(light.limit.limit)),
-                          fmt::arg("name", light.limit.name), fmt::arg("formula", light.limit.formula));
+                          fmt::arg("name", called(light.limit.name, Naming::limit)),
+                          fmt::arg("formula", light.limit.formula));
   using enum StepLight::Colour;
   const Colour colour = light.colour == red     ? theme::warning
                         : light.colour == amber ? theme::caution
@@ -261,8 +262,8 @@ void Panel::look(WindowState& state) {
 void Panel::mouse(WindowState& state) {
   if (!has_hand(state.session.simulation())) return;
   heading(w().mouse);
-  const std::array labels{w().tool_probe, w().tool_pull,     w().tool_push, w().tool_add,
-                          w().tool_erase, w().tool_obstacle, w().tool_grab};
+  const std::array<std::string_view, 7> labels{w().tool_probe, w().tool_pull,     w().tool_push, w().tool_add,
+                                               w().tool_erase, w().tool_obstacle, w().tool_grab};
   constexpr std::size_t in_a_line = 4;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - (in_a_line - 1) * gap) / in_a_line;
@@ -278,9 +279,10 @@ void Panel::mouse(WindowState& state) {
 /// Low, so that the whole panel of a cloud is seen in a window of 720 rows.
 void Panel::record(WindowState& state) {
   const float gap = ImGui::GetStyle().ItemSpacing.x, whole = ImGui::GetContentRegionAvail().x;
-  const std::array labels{w().picture, state.recorder.recording() ? w().stop_video : w().video,
-                          w().table,   w().grid_file,
-                          w().save,    w().restore};
+  const std::array<std::string_view, 6> labels{
+      w().picture, state.recorder.recording() ? w().stop_video : w().video,
+      w().table,   w().grid_file,
+      w().save,    w().restore};
   constexpr std::array names{"picture", "video", "table", "grid_file", "save", "restore"};
   float letters = 0;
   for (const auto label : labels) letters += ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;

@@ -83,6 +83,8 @@ Key key_of(sf::Keyboard::Key code) {
       return Key::alt;
     case K::F1:
       return Key::f1;
+    case K::F2:
+      return Key::f2;
     case K::F3:
       return Key::f3;
     case K::F4:

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
+#include "common/runner/exit_code.hpp"
 #include "common/window/fonts.hpp"
+#include "common/words.hpp"
 
 namespace clapotis {
 namespace {
@@ -128,9 +129,7 @@ SfmlCanvas::SfmlCanvas(sf::RenderTarget& target) : target_(target) {
   atlas_.loadFromImage(make_atlas());
   atlas_.setSmooth(true);
   if (const auto path = find_font("DejaVuSans.ttf")) has_font_ = font_.loadFromFile(path->string());
-  if (!has_font_)
-    std::fprintf(stderr,
-                 "clapotis: no text in the picture without DejaVuSans.ttf (install fonts-dejavu-core)\n");
+  if (!has_font_) complain("clapotis", words().no_letters);
 }
 
 void SfmlCanvas::start(Colour background) {

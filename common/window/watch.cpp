@@ -5,6 +5,7 @@
 #include "common/laws/hand.hpp"
 #include "common/runner/ink.hpp"
 #include "common/window/step_light.hpp"
+#include "common/words.hpp"
 
 namespace clapotis {
 namespace {
@@ -21,6 +22,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["preset"] = "preset " + (session.preset().empty() ? std::string("none") : session.preset());
   now["integrator"] = "integrator " + simulation.integrator();
   now["speed"] = fmt::format("speed {:.4g}", session.speed());
+  now["language"] = language() == Language::french ? "language french" : "language english";
   now["pause"] = session.paused() ? "paused" : "running";
   for (const auto& p : simulation.parameters().all())
     now["parameter " + p.name] = fmt::format("parameter {}={}", p.name, p.text());

@@ -29,16 +29,20 @@ constexpr double panel_width = 400;     // [pixel] at scale 1
 constexpr double widest_panel = 0.6;    // of the window: large letters leave room for the scene
 constexpr double title_interval = 0.1;  // s; window managers redraw their frame for each new title
 
-/// In ASCII, as some window managers show nothing else.
+/// In ASCII, as some window managers show nothing else: the titles of the stages have one letter more.
 std::string title(const Session& session) {
   const auto& simulation = session.simulation();
-  return fmt::format("{} | {} | t = {:.3f} s | dt = {:.1e} s | x{:.4g}", session.stage().title,
-                     simulation.scene().name, simulation.time(), simulation.dt(), session.speed());
+  std::string stage(called(session.stage().title));
+  if (constexpr std::string_view accented = "É"; stage.starts_with(accented))
+    stage.replace(0, accented.size(), "E");
+  return fmt::format("{} | {} | t = {:.3f} s | dt = {:.1e} s | x{:.4g}", stage, simulation.scene().name,
+                     simulation.time(), simulation.dt(), session.speed());
 }
 
 std::string beyond_limit(const StepLight& light, double dt) {
   return say(words().beyond_limit, fmt::arg("dt", fmt::format("{:.4g}", dt)),
-             fmt::arg("ratio", fmt::format("{:.3g}", light.share)), fmt::arg("limit", light.limit.name),
+             fmt::arg("ratio", fmt::format("{:.3g}", light.share)),
+             fmt::arg("limit", called(light.limit.name, Naming::limit)),
              fmt::arg("formula", light.limit.formula));
 }
 

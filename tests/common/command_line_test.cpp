@@ -55,7 +55,8 @@ TEST_CASE("a word that names nothing is refused with the nearest that does", "[r
       {{"--headless", "--vdeo=f.mp4"}, 2, "did you mean --video?"},
       {{"--headless", "--vtk", "0"}, 2, "vtk must be > 0 s"},
       {{"--headless", "--theme", "drak"}, 2, "did you mean dark?"},
-      {{"--lang", "fr"}, 2, "no option --lang"},
+      {{"--lang", "de"}, 2, "lang = de is not one of: en, fr"},
+      {{"--langue", "fr"}, 2, "did you mean --lang?"},
       {{"-x"}, 2, "no option -x"},
   };
   for (const auto& c : cases) check(stage1, c, scratch);

@@ -18,12 +18,18 @@ namespace fs = std::filesystem;
 
 constexpr const char *out_name = "standard_output", *err_name = "standard_error";
 
+/// What a test does not say must not depend on the language of this machine.
+bool speaks(const std::string& variable) {
+  return variable == "LC_ALL" || variable == "LC_MESSAGES" || variable == "LANG";
+}
+
 std::vector<std::string> environment_of(const Start& start) {
   std::vector<std::string> all;
-  for (char** entry = environ; *entry != nullptr; ++entry)
-    if (const std::string text = *entry;
-        !text.starts_with("CLAPOTIS_") && !start.environment.contains(text.substr(0, text.find('='))))
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry, variable = text.substr(0, text.find('='));
+    if (!text.starts_with("CLAPOTIS_") && !speaks(variable) && !start.environment.contains(variable))
       all.push_back(text);
+  }
   for (const auto& [name, value] : start.environment) all.push_back(name + '=' + value);
   return all;
 }

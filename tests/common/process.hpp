@@ -30,7 +30,7 @@ struct Ended {
 /// How to start a program besides its arguments.
 struct Start {
   std::map<std::string, std::string> environment =
-      {};                          ///< besides ours, from which every CLAPOTIS_* is taken out
+      {};                          ///< besides ours, without CLAPOTIS_* and what names a language
   std::filesystem::path out = {};  ///< where standard output goes instead, for example /dev/full
   std::size_t largest_file = 0;    ///< bytes; 0 for no limit
 };

@@ -24,7 +24,7 @@ touch "$house"/stage{1_bouncing,2_cloud}/main.cpp "$house/CMakePresets.json"
 mkdir -p "$house/report/bench/peers"
 cp "$here/../../lab" "$house/lab"
 export PATH="$box/tools:$PATH" BOX=$box
-unset DISPLAY WAYLAND_DISPLAY CI
+unset DISPLAY WAYLAND_DISPLAY CI LC_ALL LC_MESSAGES LANG
 cat > "$house/report/bench/peers/pysph_dam_break.py" <<< $'#!/usr/bin/env bash\necho "peer $*"; exit 5'
 chmod +x "$house/report/bench/peers/pysph_dam_break.py"
 cp "$here/../../report/bench/peers/beside.py" "$house/report/bench/peers/"
@@ -67,6 +67,13 @@ expect 'alone, it lists what it can do' 0 'run STAGE' "$lab"
 expect 'a misspelt verb is answered with the nearest one' 2 'nearest is "bench"' "$lab" bnech
 expect 'a misspelt stage is answered with the nearest one' 2 'nearest is "stage2_cloud"' "$lab" run stage2_clod
 : > "$box/offline"
+expect 'it speaks French to whom does so' 0 'toutes les étapes' env LANG=fr_FR.UTF-8 "$lab"
+expect '... or is asked to' 2 'Il n.*pas de verbe.*bnech.*Le plus proche est.*bench' "$lab" bnech --lang fr
+expect '... but not when told otherwise' 2 'nearest is "bench"' env LC_ALL=fr_FR.UTF-8 "$lab" bnech --lang=en
+expect 'every sentence has its French' 0 '^$' bash -c \
+  "source <(sed -n '/^declare -A english/,/^declare -n/p' '$here/../../lab' | sed '\$d')
+   for key in \"\${!english[@]}\"; do [[ \${french[\$key]:-} ]] || echo \"\$key\"; done
+   for key in \"\${!french[@]}\"; do [[ \${english[\$key]:-} ]] || echo \"\$key\"; done"
 expect 'without a network it says what to type' 69 'no network.*apt-get update && .*apt-get install .*libsfml-dev' "$lab" run
 expect 'what a peer needs is installed on demand' 69 'apt-get install .*python3-pysph' "$lab" bench --peer=pysph
 rm "$box/offline"

@@ -126,6 +126,7 @@ Desk::Desk(const std::string& name, WindowManager manager)
     throw std::runtime_error("Xvfb did not start, see " + (folder_ / "server.log").string());
   environment_["DISPLAY"] = ":" + display.substr(0, display.find('\n'));
   environment_["LIBGL_ALWAYS_SOFTWARE"] = "1";
+  environment_["LC_ALL"] = "C.UTF-8";               // whatever this machine speaks
   environment_["ASAN_OPTIONS"] = "detect_leaks=0";  // the graphics driver's, in a build with sanitizers
   if (manager == WindowManager::openbox) start_openbox();
 }
