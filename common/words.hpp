@@ -45,9 +45,10 @@ struct Words {
       chosen_particle;
   // runner: comparison
   std::string_view compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
-      compare_counts, compare_other_start, compare_title, compare_side_line, compare_left, compare_right,
-      compare_end, compare_largest, compare_ratio, compare_plot, compare_curve_largest, compare_curve_rms,
-      help_compare, help_side, help_compare_steps, help_compare_every, help_compare_out, help_compare_json;
+      compare_other_particles, compare_other_start, compare_title, compare_side_line, compare_left,
+      compare_right, compare_end, compare_largest, compare_ratio, compare_cost, compare_plot,
+      compare_curve_largest, compare_curve_rms, help_compare, help_side, help_compare_steps,
+      help_compare_every, help_compare_out, help_compare_json;
   // runner: help
   std::string_view help_scene, help_headless, help_until, help_steps, help_set, help_config,
       help_print_config, help_preset, help_colour_by, help_integrator, help_seed, help_threads, help_out,
@@ -74,7 +75,11 @@ struct Words {
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
         does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video,
         does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right,
-        does_right;
+        does_right, does_sides;
+    // two sides
+    struct Sides {
+      std::string_view label, offer, right, started, ended;
+    } sides;
   } window;
 };
 

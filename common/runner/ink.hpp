@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/runner/canvas.hpp"
 
@@ -19,6 +21,7 @@ inline constexpr Colour grid{0.78F, 0.80F, 0.83F};
 inline constexpr Colour plain_disc{0.16F, 0.42F, 0.69F};
 inline constexpr Colour ghost{0.80F, 0.20F, 0.10F};
 inline constexpr Colour chosen{0.90F, 0.45F, 0.00F};
+inline constexpr Colour warning{0.72F, 0.20F, 0.08F};
 
 inline constexpr double title = 28, words = 20, numbers = 18;
 inline constexpr double margin = 20;
@@ -26,5 +29,9 @@ inline constexpr double margin = 20;
 /// Text no wider than `room` [pixel]: its height shrinks, to 60 % at the least, then its end is cut off.
 void fitted_text(Canvas& canvas, Point at, std::string_view utf8, double height, double room, Colour colour,
                  Align align = Align::left);
+
+/// A sentence in lines no wider than `room` [pixel], broken at spaces.
+[[nodiscard]] std::vector<std::string> broken(const Canvas& canvas, std::string_view utf8, double height,
+                                              double room);
 
 }  // namespace clapotis::ink

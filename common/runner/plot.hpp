@@ -18,7 +18,7 @@ inline constexpr std::array<Colour, 6> curve_colours{{{0.000F, 0.447F, 0.698F}, 
                                                       {0.110F, 0.140F, 0.180F}}};  // near black
 
 struct Curve {
-  std::string label;
+  std::string label;  ///< none: no key for it
   Colour colour = curve_colours[0];
   std::vector<double> xs,
       ys;  ///< same size; xs grow; the curve has a gap at a NaN, infinity, or <= 0 when log_y
