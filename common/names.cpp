@@ -21,6 +21,9 @@ constexpr std::array names_in_lists{
     Name{"speed", "vitesse"}, Name{"pressure", "pression"}, Name{"vorticity", "vorticité"},
     Name{"density_error", "density error", "écart de densité"}, Name{"density", "masse volumique"},
     Name{"force", "force"}, Name{"plain", "unie"},
+    // what two sides may differ in
+    Name{"neighbour_search", "neighbour search", "recherche des voisins"}, Name{"grid", "grille"},
+    Name{"list", "liste"},
     // references
     Name{"closed form", "solution analytique"}, Name{"Koshizuka & Oka 1996", "Koshizuka et Oka 1996"},
     Name{"hydrostatic pressure", "pression hydrostatique"}, Name{"exact ellipse", "ellipse exacte"},

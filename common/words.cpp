@@ -177,14 +177,16 @@ constexpr Words english{
     .compare_two_sides = "a comparison takes two of STAGE/SCENE[:NAME=VALUE,...], not {count}",
     .compare_two_ends = "--until and --steps: a comparison ends at one of them",
     .compare_units = "the sides measure in {left} and in {right}: they cannot be compared",
-    .compare_counts = "the sides have {left} and {right} particles: only equal numbers can be compared",
+    .compare_other_particles =
+        "the sides do not have the same particles, {left} and {right} of them: errors, energies and cost are "
+        "compared, places are not",
     .compare_other_start =
         "the sides do not begin alike: particles are up to {largest} {unit} apart at t = 0",
     .compare_title = "{folder}: compared until t = {time} s\n",
     .compare_side_line =
         "{name} {side}\n"
         "  steps     {steps} of {dt} s with {integrator}, {evaluations} force evaluations\n"
-        "  cost      {cpu} s of processor time, {step} ms per step\n"
+        "  cost      {cpu} s of processor time, {cost} ms per simulated second, {step} ms per step\n"
         "  energy    total drifts by {drift} of its start\n",
     .compare_left = "left",
     .compare_right = "right",
@@ -194,6 +196,7 @@ constexpr Words english{
     .compare_largest =
         "difference at most:    {largest} {unit} ({share} %), at t = {time} s, particle {particle}\n",
     .compare_ratio = "right over left:       {cpu} in processor time, {step} per step\n",
+    .compare_cost = "CPU {cost} ms/s   {evaluations} evaluations   energy {drift}",
     .compare_plot = "Difference",
     .compare_distance = "|r left - r right|",
     .compare_curve_largest = "largest",
@@ -358,6 +361,16 @@ constexpr Words english{
             .does_language = "en français",
             .does_theme = "light or dark",
             .does_letters = "larger letters",
+            .does_sides = "two methods side by side",
+            .sides =
+                {
+                    .label = "two sides",
+                    .offer = "compare two methods (B)",
+                    .right = "right side",
+                    .started =
+                        "Both sides start anew; the same without a window: ./lab compare {left} {right}",
+                    .ended = "The left side goes on alone",
+                },
         },
 };
 

@@ -45,26 +45,26 @@ struct Words {
   Word column_name, column_symbol, column_unit, column_default, column_range, column_change, column_meaning,
       plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total, chosen_particle;
   // runner: comparison
-  Word compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units, compare_counts,
-      compare_other_start, compare_title, compare_side_line, compare_left, compare_right, compare_end,
-      compare_largest, compare_ratio, compare_plot, compare_distance, compare_curve_largest,
-      compare_curve_rms, help_compare, help_side, help_compare_steps, help_compare_every, help_compare_out,
-      help_compare_json;
+  Word compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
+      compare_other_particles, compare_other_start, compare_title, compare_side_line, compare_left,
+      compare_right, compare_end, compare_largest, compare_ratio, compare_cost, compare_plot,
+      compare_distance, compare_curve_largest, compare_curve_rms, help_compare, help_side, help_compare_steps,
+      help_compare_every, help_compare_out, help_compare_json;
   // runner: help
   Word help_scene, help_headless, help_until, help_steps, help_set, help_config, help_print_config,
       help_preset, help_colour_by, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
       help_frames, help_vtk, help_picture, help_video, help_video_every, help_save, help_resume, help_list,
-      help_json, help_quiet, help_paused, help_scale, help_theme, help_lang, help_version, help_help, help_epilogue,
-      help_usage, help_arguments;
+      help_json, help_quiet, help_paused, help_scale, help_theme, help_lang, help_version, help_help,
+      help_epilogue, help_usage, help_arguments;
 
   // window: its own table, so that its many short words need no prefix
   struct Window {
     // the buttons and the rows of the panel
     Word run, pause, step, reset, speed, slower_than_asked, scene, preset, integrator, live, restart,
         defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability, beyond_stability,
-        view, colour_by, lock_range, grid, vectors, plots, letters, dark, cost, particles, step_cost, real_time, picture,
-        video, stop_video, table, grid_file, save, restore, recording, pairs_near, pairs_tested, frames,
-        frame_cost;
+        view, colour_by, lock_range, grid, vectors, plots, letters, dark, cost, particles, step_cost,
+        real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
+        pairs_tested, frames, frame_cost;
     // what is painted over the scene
     Word particle, position, velocity, speed_of_particle, acceleration, tested, near, velocity_scale,
         diverged, try_another;
@@ -76,7 +76,12 @@ struct Words {
         does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid, does_neighbour,
         does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video, does_picture,
         does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right, does_right,
-        does_language, does_theme, does_letters;
+        does_language, does_theme, does_letters, does_sides;
+    // two sides
+    struct Sides {
+      Word label, offer, right, started, ended;
+      constexpr bool operator==(const Sides&) const = default;
+    } sides;
     constexpr bool operator==(const Window&) const = default;
   } window;
 

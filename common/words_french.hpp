@@ -186,14 +186,17 @@ inline constexpr Words french{
     .compare_two_sides = "une comparaison prend deux ÉTAPE/SCÈNE[:NOM=VALEUR,...], et non {count}",
     .compare_two_ends = "--until et --steps : une comparaison finit à l'un des deux",
     .compare_units = "les côtés mesurent en {left} et en {right} : on ne peut pas les comparer",
-    .compare_counts = "les côtés ont {left} et {right} particules : on ne compare que des nombres égaux",
+    .compare_other_particles =
+        "les deux côtés n'ont pas les mêmes particules, {left} et {right} : les erreurs, les énergies et le "
+        "coût "
+        "sont comparés, les positions ne le sont pas",
     .compare_other_start =
         "les côtés ne commencent pas pareil : à t = 0, des particules sont distantes de {largest} {unit}",
     .compare_title = "{folder} : comparaison jusqu'à t = {time} s\n",
     .compare_side_line =
         "{name} {side}\n"
         "  pas       {steps} de {dt} s avec {integrator}, {evaluations} évaluations des forces\n"
-        "  coût      {cpu} s de processeur, {step} ms par pas\n"
+        "  coût      {cpu} s de processeur, {cost} ms par seconde simulée, {step} ms par pas\n"
         "  énergie   dérive de la totale, rapportée au départ : {drift}\n",
     .compare_left = "gauche",
     .compare_right = "droite",
@@ -203,6 +206,7 @@ inline constexpr Words french{
     .compare_largest =
         "différence maximale :  {largest} {unit} ({share} %), à t = {time} s, particule {particle}\n",
     .compare_ratio = "droite sur gauche :    {cpu} en temps de processeur, {step} par pas\n",
+    .compare_cost = "CPU {cost} ms/s   {evaluations} évaluations   énergie {drift}",
     .compare_plot = "Différence",
     .compare_distance = "|r gauche - r droite|",
     .compare_curve_largest = "maximale",
@@ -370,6 +374,16 @@ inline constexpr Words french{
             .does_language = "in English",
             .does_theme = "clair ou sombre",
             .does_letters = "lettres plus grandes",
+            .does_sides = "deux méthodes côte à côte",
+            .sides =
+                {
+                    .label = "deux côtés",
+                    .offer = "comparer deux méthodes (B)",
+                    .right = "à droite",
+                    .started = "Les deux côtés repartent du début ; la même chose sans fenêtre : ./lab "
+                               "compare {left} {right}",
+                    .ended = "Le côté gauche continue seul",
+                },
         },
 };
 

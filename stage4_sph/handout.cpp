@@ -24,9 +24,6 @@ using HandoutModel = FluidModel<CubicSpline, Gravity, HandoutPressure, Viscosity
 
 /// The liquid of particles of radius h and mass m.
 Fluid printed_liquid(Parameters& p) {
-  auto form = formulation;
-  form.choices = {"handout"};
-  p.choice(form);
   const double h = p.number(disc_radius), m = p.number(disc_mass);
   const double fall = p.number(box_height), g = Gravity::from(p).g;
   auto c = sound_speed;
@@ -50,9 +47,37 @@ Fluid printed_liquid(Parameters& p) {
   return Fluid::from(p);
 }
 
+/// `parameter` with another value where nobody gives one.
+Parameter usually(Parameter parameter, double value) {
+  parameter.value = value;
+  return parameter;
+}
+
+/// The same column in the same box, with the formulation of all other scenes: particles of 2h, dummy walls,
+/// density by continuity.
+Setup mended(Parameters& p) {
+  const double dx = p.number(usually(particle_spacing, 2 * disc_radius.value));
+  const double width = p.number(usually(tank_width, box_width.value));
+  const double height = p.number(usually(tank_height, box_height.value)), g = Gravity::from(p).g;
+  p.number(usually(reference_density, disc_mass.value / (dx * dx)));
+  const auto across = static_cast<double>(p.integer(columns)), up = static_cast<double>(p.integer(lines));
+  const Fluid fluid = liquid(p, std::sqrt(2 * g * height));
+  auto tank = stage4::tank(p, fluid);
+  Vectors places = block(dx, 0, dx * across, 0, dx * up);
+  disturb(places, p, dx);
+  return {.particles = particles_at(places, p),
+          .model = tank_model(p, std::move(tank.walls)),
+          .radius = dx / 2,
+          .view = {0, width, 0, height},
+          .fluid = fluid};
+}
+
 }  // namespace
 
 Setup handout(Parameters& p) {
+  auto form = formulation;
+  form.choices = {"handout", "consistent"};
+  if (p.choice(form) == "consistent") return mended(p);
   const Fluid fluid = printed_liquid(p);
   const double h = fluid.h;
   const auto across = static_cast<double>(p.integer(columns)), up = static_cast<double>(p.integer(lines));

@@ -144,7 +144,8 @@ Stage stage() {
                       .build = dam_break,
                       .presets = {{"coarse", {{"spacing", "0.0625"}}},
                                   {"fine", {{"spacing", "0.02"}}},
-                                  {"oil", {{"nu", "0.05"}, {"slip", "no"}}}}},
+                                  {"oil", {{"nu", "0.05"}, {"slip", "no"}}}},
+                      .beside = {{"spacing", "0.0625"}}},
                      {.name = "still_water",
                       .length_unit = "m",
                       .defaults = {{"kernel", "wendland_c2"},
@@ -152,11 +153,13 @@ Stage stage() {
                                    {"tank_width", "1"},
                                    {"tank_height", "1.5"},
                                    {"spacing", "0.02"}},
-                      .build = still_water},
+                      .build = still_water,
+                      .beside = {{"walls", "reflect"}}},
                      {.name = "elliptical_drop",
                       .length_unit = "m",
                       .defaults = {{"density", "summation"}, {"spacing", "0.05"}, {"alpha", "0.008"}},
-                      .build = elliptical_drop},
+                      .build = elliptical_drop,
+                      .beside = {{"density", "continuity"}}},
                      {.name = "drop_impact",
                       .length_unit = "m",
                       .defaults = {{"kernel", "wendland_c2"},
@@ -169,7 +172,8 @@ Stage stage() {
                      {.name = "square_patch",
                       .length_unit = "m",
                       .defaults = {{"kernel", "wendland_c2"}, {"tension", "yes"}, {"spacing", "0.02"}},
-                      .build = square_patch},
+                      .build = square_patch,
+                      .beside = {{"epsilon", "0"}}},
                      {.name = "acoustic",
                       .length_unit = "m",
                       .defaults = {{"kernel", "cubic_spline"},
@@ -184,7 +188,8 @@ Stage stage() {
                      {.name = "handout",
                       .length_unit = "px",
                       .defaults = {{"gravity", "500"}, {"disturbance", "0.01"}},
-                      .build = handout}}};
+                      .build = handout,
+                      .beside = {{"formulation", "consistent"}}}}};
 }
 
 }  // namespace clapotis::stage4

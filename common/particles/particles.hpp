@@ -53,6 +53,8 @@ struct Particles {
   [[nodiscard]] Index id(Index i) const {
     return ids_.empty() ? i : static_cast<Index>(ids_[static_cast<std::size_t>(i)]);
   }
+  /// Of all, in their order; empty as long as they are the places.
+  [[nodiscard]] const std::vector<std::int64_t>& ids() const { return ids_; }
   /// The place of the particle known by `id`, if it exists.
   [[nodiscard]] std::optional<Index> place_of(Index id) const;
 

@@ -21,12 +21,6 @@ double per_step(const Side& side) {
                                       : none;
 }
 
-double energy_drift(const Side& side) {
-  const auto samples = side.history.samples();
-  const double start = samples.front().energy.total();
-  return (side.simulation->energy().total() - start) / (start == 0 ? 1 : std::abs(start));
-}
-
 /// All columns of compare.csv with their units; L is the unit of length.
 struct CompareColumn {
   std::string_view name, unit;
@@ -76,10 +70,11 @@ Json side_json(const Side& side) {
           {"simulated_seconds", s.time()},
           {"cpu_seconds", side.cpu_seconds},
           {"milliseconds_per_step", or_null(1e3 * per_step(side))},
-          {"total_energy_drift", or_null(energy_drift(side))},
+          {"cpu_milliseconds_per_simulated_second", or_null(side.cost())},
+          {"total_energy_drift", or_null(side.energy_drift())},
           {"reference", reference_json(s, side.history.largest_error())},
           {"diverged", !side.runs()},
-          {"divergence", side.divergence},
+          {"divergence", side.runs() ? "" : side.divergence->what()},
           {"warnings", s.warnings()}};
 }
 
@@ -106,18 +101,19 @@ std::string short_number(double value) { return std::isfinite(value) ? fmt::form
 std::string side_lines(std::string_view name, const Side& side) {
   const auto& w = words();
   const auto& s = *side.simulation;
-  auto text = say(w.compare_side_line, fmt::arg("name", name), fmt::arg("side", side.text),
-                  fmt::arg("integrator", s.integrator()), fmt::arg("steps", s.steps()),
-                  fmt::arg("dt", short_number(s.dt())), fmt::arg("cpu", short_number(side.cpu_seconds)),
-                  fmt::arg("step", short_number(1e3 * per_step(side))),
-                  fmt::arg("evaluations", side.simulation->system().force_evaluations),
-                  fmt::arg("drift", fmt::format("{:.2e}", energy_drift(side))));
+  auto text =
+      say(w.compare_side_line, fmt::arg("name", name), fmt::arg("side", side.text),
+          fmt::arg("integrator", s.integrator()), fmt::arg("steps", s.steps()),
+          fmt::arg("dt", short_number(s.dt())), fmt::arg("cpu", short_number(side.cpu_seconds)),
+          fmt::arg("cost", short_number(side.cost())), fmt::arg("step", short_number(1e3 * per_step(side))),
+          fmt::arg("evaluations", side.simulation->system().force_evaluations),
+          fmt::arg("drift", fmt::format("{:.2e}", side.energy_drift())));
   if (const auto& reference = s.setup().reference)
     text += say(w.summary_error, fmt::arg("measure", called(reference->measure)),
                 fmt::arg("unit", reference->unit.empty() ? "" : " " + reference->unit),
                 fmt::arg("reference", called(reference->name)), fmt::arg("error", short_number(s.error())),
                 fmt::arg("largest", short_number(side.history.largest_error())));
-  if (!side.runs()) text += say(w.summary_warning, fmt::arg("warning", side.divergence));
+  if (!side.runs()) text += say(w.summary_warning, fmt::arg("warning", side.divergence->what()));
   for (const auto& warning : s.warnings()) text += say(w.summary_warning, fmt::arg("warning", warning));
   return text;
 }
@@ -152,7 +148,8 @@ std::string compare_manifest(const Comparison& comparison, const Side& left, con
                                               : "at multiples of every, between steps by a cubic";
   json["every"] = comparison.interval();
   json["box_diagonal"] = comparison.diagonal();
-  json["largest_difference"] = difference_json(comparison.largest(), comparison.diagonal());
+  json["largest_difference"] =
+      comparison.start() ? difference_json(comparison.largest(), comparison.diagonal()) : Json(nullptr);
   json["end_difference"] = comparison.difference()
                                ? difference_json(*comparison.difference(), comparison.diagonal())
                                : Json(nullptr);
@@ -161,7 +158,7 @@ std::string compare_manifest(const Comparison& comparison, const Side& left, con
   json["simulated_seconds"] = comparison.time();
   json["stop_reason"] = stop_reason;
   json["units"] = units_json(left);
-  json["warnings"] = compare_warnings(comparison, left);
+  json["warnings"] = compare_warnings(comparison, left, right);
   return json.dump(2) + "\n";
 }
 
@@ -178,21 +175,27 @@ std::string compare_summary(const std::filesystem::path& folder, const Compariso
         say(w.compare_end, fmt::arg("largest", short_number(comparison.difference()->largest)),
             fmt::arg("rms", short_number(comparison.difference()->rms)), fmt::arg("unit", unit),
             fmt::arg("share", short_number(100 * comparison.difference()->largest / comparison.diagonal())));
-  text += say(w.compare_largest, fmt::arg("largest", short_number(d.largest)), fmt::arg("unit", unit),
-              fmt::arg("share", short_number(100 * d.largest / comparison.diagonal())),
-              fmt::arg("time", short_number(d.time)), fmt::arg("particle", d.particle));
+  if (comparison.start())
+    text += say(w.compare_largest, fmt::arg("largest", short_number(d.largest)), fmt::arg("unit", unit),
+                fmt::arg("share", short_number(100 * d.largest / comparison.diagonal())),
+                fmt::arg("time", short_number(d.time)), fmt::arg("particle", d.particle));
   text += say(w.compare_ratio, fmt::arg("cpu", short_number(right.cpu_seconds / left.cpu_seconds)),
               fmt::arg("step", short_number(per_step(right) / per_step(left))));
-  for (const auto& warning : compare_warnings(comparison, left))
+  for (const auto& warning : compare_warnings(comparison, left, right))
     text += say(w.summary_warning, fmt::arg("warning", warning));
   return text;
 }
 
-std::vector<std::string> compare_warnings(const Comparison& comparison, const Side& left) {
+std::vector<std::string> compare_warnings(const Comparison& comparison, const Side& left, const Side& right) {
   std::vector<std::string> warnings;
-  if (comparison.start().largest > 0)
-    warnings.push_back(say(words().compare_other_start,
-                           fmt::arg("largest", short_number(comparison.start().largest)),
+  const auto& w = words();
+  const auto of = [](const Side& side) { return side.simulation->particles().size(); };
+  if (!comparison.start() || (!comparison.difference() && left.runs() && right.runs()))
+    warnings.push_back(
+        say(w.compare_other_particles, fmt::arg("left", of(left)), fmt::arg("right", of(right))));
+  if (comparison.start() && comparison.start()->largest > 0)
+    warnings.push_back(say(w.compare_other_start,
+                           fmt::arg("largest", short_number(comparison.start()->largest)),
                            fmt::arg("unit", left.simulation->scene().length_unit)));
   return warnings;
 }

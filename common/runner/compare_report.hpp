@@ -22,6 +22,6 @@ std::string compare_summary(const std::filesystem::path& folder, const Compariso
                             const Side& left, const Side& right);
 
 /// Sentences about what limits the comparison.
-std::vector<std::string> compare_warnings(const Comparison& comparison, const Side& left);
+std::vector<std::string> compare_warnings(const Comparison& comparison, const Side& left, const Side& right);
 
 }  // namespace clapotis

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/runner/interrupt.hpp"
 #include "common/runner/timing.hpp"
-#include "common/simulation/errors.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -24,29 +24,27 @@ Vectors between(const Vectors& r0, const Vectors& v0, const Vectors& r1, const V
 
 double diagonal_of(const View2D& view) { return std::hypot(view.right - view.left, view.top - view.bottom); }
 
-void refuse_unlike(const Side& left, const Side& right) {
-  const auto &a = *left.simulation, &b = *right.simulation;
+void refuse_other_units(const Simulation& a, const Simulation& b) {
   if (a.scene().length_unit != b.scene().length_unit)
     throw BadInput(say(words().compare_units, fmt::arg("left", a.scene().length_unit),
                        fmt::arg("right", b.scene().length_unit)));
-  if (a.particles().size() != b.particles().size())
-    throw BadInput(say(words().compare_counts, fmt::arg("left", a.particles().size()),
-                       fmt::arg("right", b.particles().size())));
 }
 
-double usual_interval_of(const Side& left, const Side& right, double until, bool together) {
-  const double dt = std::max(left.simulation->dt(), right.simulation->dt());
-  const double usual = usual_interval(dt, until, left.simulation->particles().size());
-  return together ? usual : std::max(usual, dt);
+bool same_particles(const Particles& a, const Particles& b) {
+  return a.size() == b.size() && a.ids() == b.ids();
 }
 
 }  // namespace
 
-/// The positions of one side at the instants up to the next row.
-struct Comparison::Trace {
-  std::vector<double> times;
-  std::vector<Vectors> positions;
-};
+double Side::cost() const {
+  return simulation->time() > 0 ? 1e3 * cpu_seconds / simulation->time()
+                                : std::numeric_limits<double>::quiet_NaN();
+}
+
+double Side::energy_drift() const {
+  const double start = history.first().energy.total();
+  return (history.latest().energy.total() - start) / (start == 0 ? 1 : std::abs(start));
+}
 
 Difference distances(const Vectors& left, const Vectors& right, double time) {
   const Column squared = (left - right).square().rowwise().sum();
@@ -58,96 +56,148 @@ Difference distances(const Vectors& left, const Vectors& right, double time) {
 }
 
 Comparison::Comparison(Side& left, Side& right, double until, double interval)
-    : left_(left),
-      right_(right),
+    : left_{.side = &left, .noted = {}, .position = {}, .velocity = {}},
+      right_{.side = &right, .noted = {}, .position = {}, .velocity = {}},
       until_(until),
       interval_(interval),
-      diagonal_(diagonal_of(left.simulation->setup().view)),
-      together_(left.simulation->dt() == right.simulation->dt() &&
-                !left.simulation->model().limits_follow_state() &&
-                !right.simulation->model().limits_follow_state()),
-      rows_(0) {
-  refuse_unlike(left, right);
-  if (interval_ <= 0) interval_ = usual_interval_of(left, right, until, together_);
+      diagonal_(diagonal_of(left.simulation->setup().view)) {
+  const auto &a = *left.simulation, &b = *right.simulation;
+  refuse_other_units(a, b);
+  decide_steps();
+  if (interval_ <= 0) {
+    const double dt = std::max(a.dt(), b.dt()), usual = usual_interval(dt, until, a.particles().size());
+    interval_ = together_ ? usual : std::max(usual, dt);
+  }
   rows_ = Cadence(interval_);
-  start_ = distances(left.simulation->particles().position, right.simulation->particles().position, 0);
-  now_ = largest_ = start_;
-  for (auto* side : {&left_, &right_}) side->history.add(*side->simulation);
+  if (same_particles(a.particles(), b.particles()))
+    start_ = distances(a.particles().position, b.particles().position, 0);
+  now_ = start_;
+  largest_ = start_.value_or(Difference{});
+  for (auto* side : {&left, &right}) side->history.add(*side->simulation);
+}
+
+/// Whether every step of the one is a step of the other.
+void Comparison::decide_steps() {
+  const auto &a = *left_.side->simulation, &b = *right_.side->simulation;
+  together_ = a.dt() == b.dt() && a.time() == b.time() && !a.model().limits_follow_state() &&
+              !b.model().limits_follow_state();
+}
+
+void Comparison::reconsider() {
+  auto &a = *left_.side->simulation, &b = *right_.side->simulation;
+  const double dt = std::max(a.dt(), b.dt());
+  decide_steps();
+  for (auto* trace : {&left_, &right_}) trace->noted.clear(), trace->at_row = false;
+  if (!together_ && interval_ < dt) rows_ = Cadence(interval_ = dt);
+  rows_.serve(std::max(a.time(), b.time()), dt);
 }
 
 bool Comparison::advance() {
-  const auto goes_on = [&](const Side& side) { return side.runs() && side.simulation->time() < until_; };
-  const auto has_ended = [&] { return Interrupt::asked() || (!goes_on(left_) && !goes_on(right_)); };
-  if (has_ended()) return false;
-  do {
-    Trace left, right;
-    follow(left_, left);
-    follow(right_, right);
-    note(left, right);
-  } while (!rows_.due(time_, left_.simulation->dt()) && !has_ended());
-  rows_.serve(time_, left_.simulation->dt());
-  for (auto* side : {&left_, &right_})
-    if (side->runs()) side->history.add(*side->simulation);
-  return true;
+  const Index numbers = 2 * std::max<Index>(1, left_.side->simulation->particles().size());
+  const long most = together_ ? std::max<Index>(1, most_noted / numbers) : std::numeric_limits<long>::max();
+  const auto allows = [] { return !Interrupt::asked(); };
+  while (allows()) {
+    const auto piece = advance_a_piece(std::numeric_limits<double>::infinity(), most, allows);
+    if (piece != Piece::steps) return piece == Piece::row;
+  }
+  return false;
 }
 
-/// To the next row, or until the side diverges.
-void Comparison::follow(Side& side, Trace& trace) const {
-  if (!side.runs()) return;
-  const Timing timing(side.cpu_seconds);
+Comparison::Piece Comparison::advance_a_piece(double target, long most, const Allows& allows) {
+  Trace* behind = nullptr;
+  const auto time = [](const Trace& trace) { return trace.side->simulation->time(); };
+  for (auto* trace : {&left_, &right_})
+    if (may_step(*trace, target) && (behind == nullptr || time(*trace) < time(*behind))) behind = trace;
+  if (behind == nullptr) return finish_row();
+  stepped_ = true;
   try {
-    if (together_) {
-      step_together(side, trace);
-    } else {
-      reach_instant(side, trace);
-    }
-  } catch (const Diverged& error) {
-    side.divergence = error.what();
+    const Timing timing(behind->side->cpu_seconds);
+    long steps = 0;
+    do step(*behind);
+    while (++steps < most && may_step(*behind, target) && allows());
+  } catch (const Diverged& reason) {
+    behind->side->divergence = reason;
   }
+  match();
+  return Piece::steps;
 }
 
-void Comparison::step_together(Side& side, Trace& trace) const {
-  auto& s = *side.simulation;
-  const auto most =
-      static_cast<std::size_t>(std::max<Index>(1, most_noted / std::max<Index>(1, 2 * s.particles().size())));
-  do {
-    s.step(until_);
-    trace.times.push_back(s.time());
-    trace.positions.push_back(s.particles().position);
-  } while (s.time() < until_ && !rows_.due(s.time(), s.dt()) && trace.times.size() < most &&
-           !Interrupt::asked());
+/// When the sides are compared next unless it is after each step.
+double Comparison::instant() const { return std::min(rows_.next(), until_); }
+
+bool Comparison::may_step(const Trace& trace, double target) const {
+  constexpr double rounding = 1e-6;  // share of a step
+  const auto& s = *trace.side->simulation;
+  return trace.side->runs() && !trace.at_row && s.time() < until_ &&
+         s.time() + (1 - rounding) * s.dt() <= target;
 }
 
-void Comparison::reach_instant(Side& side, Trace& trace) const {
-  auto& s = *side.simulation;
-  const double instant = std::min(rows_.next(), until_);
-  while (s.time() + 2 * s.dt() < instant && !Interrupt::asked()) s.step(until_);
-  if (Interrupt::asked()) return;
-  Vectors position = s.particles().position, velocity = s.particles().velocity;
-  double time = s.time();
-  while (s.time() < instant) {
-    position = s.particles().position;
-    velocity = s.particles().velocity;
-    time = s.time();
+void Comparison::step(Trace& trace) const {
+  auto& s = *trace.side->simulation;
+  if (together_) {
     s.step(until_);
+    trace.noted.push_back({s.time(), s.particles().position, s.particles().ids()});
+    trace.at_row = rows_.due(s.time(), s.dt());
+    return;
   }
-  const double dt = s.time() - time;
-  trace.times.push_back(instant);
-  trace.positions.push_back(dt > 0 && s.time() > instant
-                                ? between(position, velocity, s.particles().position, s.particles().velocity,
-                                          dt, (instant - time) / dt)
-                                : s.particles().position);
+  if (s.time() + 2 * s.dt() >= instant()) {
+    trace.position = s.particles().position;
+    trace.velocity = s.particles().velocity;
+    trace.time = s.time();
+  }
+  s.step(until_);
+  if (s.time() >= instant()) note_instant(trace);
 }
 
-void Comparison::note(const Trace& left, const Trace& right) {
-  const auto common = std::min(left.times.size(), right.times.size());
-  for (std::size_t k = 0; k < common; ++k) {
-    now_ = distances(left.positions[k], right.positions[k], left.times[k]);
+/// Where the particles were at the instant that the last step has passed: not known where it took some away.
+void Comparison::note_instant(Trace& trace) const {
+  const auto& s = *trace.side->simulation;
+  const auto& now = s.particles();
+  const double dt = s.time() - trace.time;
+  trace.at_row = true;
+  if (trace.position.rows() != now.size()) return;
+  trace.noted.push_back({instant(),
+                         s.time() > instant() ? between(trace.position, trace.velocity, now.position,
+                                                        now.velocity, dt, (instant() - trace.time) / dt)
+                                              : now.position,
+                         now.ids()});
+}
+
+/// Compares all that both sides have noted.
+void Comparison::match() {
+  auto &left = left_.noted, &right = right_.noted;
+  for (; !left.empty() && !right.empty(); left.pop_front(), right.pop_front()) {
+    const auto &a = left.front(), &b = right.front();
+    now_.reset();
+    if (a.positions.rows() != b.positions.rows() || a.ids != b.ids) continue;
+    now_ = distances(a.positions, b.positions, a.time);
+    if (!a.ids.empty()) now_->particle = a.ids[static_cast<std::size_t>(now_->particle)];
     if (now_->largest > largest_.largest) largest_ = *now_;
   }
-  const auto& longer = left.times.size() >= right.times.size() ? left.times : right.times;
-  if (!longer.empty()) time_ = longer.back();
-  if (!left_.runs() || !right_.runs()) now_.reset();
+  if (left_.side->runs() && right_.side->runs()) return;
+  left.clear();
+  right.clear();
+}
+
+Comparison::Piece Comparison::finish_row() {
+  const auto waits = [&](const Trace& trace) {
+    return !trace.side->runs() || trace.at_row || trace.side->simulation->time() >= until_;
+  };
+  if (!stepped_ || !waits(left_) || !waits(right_)) return Piece::nothing;
+  const auto &a = *left_.side->simulation, &b = *right_.side->simulation;
+  const bool one_runs = left_.side->runs() || right_.side->runs();
+  const double furthest = std::max(left_.side->runs() ? a.time() : 0, right_.side->runs() ? b.time() : 0);
+  if (one_runs) time_ = together_ ? furthest : instant();
+  const bool nothing_new = !now_ || now_->time < time_;  // one has diverged, or has lost particles just now
+  if (!left_.side->runs() || !right_.side->runs() || nothing_new) now_.reset();
+  rows_.serve(together_ ? time_ : std::max(time_, furthest), a.dt());
+  for (auto* trace : {&left_, &right_}) {
+    trace->at_row = false;
+    trace->noted.clear();
+    if (trace->side->runs()) trace->side->history.add(*trace->side->simulation);
+  }
+  stepped_ = false;
+  return Piece::row;
 }
 
 }  // namespace clapotis

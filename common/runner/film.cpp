@@ -40,13 +40,14 @@ Film::Film(std::filesystem::path file, double start, double interval, Colours co
       interval_(interval),
       waits_(colours == Colours::one_for_all) {}
 
-void Film::add(Picture picture, std::vector<Plot> plots, double time, double dt) {
+void Film::add(Picture picture, std::vector<Plot> plots, double time, double dt,
+               std::optional<Beside> beside) {
   const double late = std::max(0.0, (time + rounding * dt - next_) / interval_);
   const long frames = 1 + static_cast<long>(late);
   next_ += static_cast<double>(frames) * interval_;
   frames_ += frames;
-  waiting_bytes_ += bytes(picture) + bytes(plots);
-  waiting_.push_back({std::move(picture), std::move(plots), frames});
+  waiting_bytes_ += bytes(picture) + bytes(plots) + (beside ? bytes(beside->right) : 0);
+  waiting_.push_back({std::move(picture), std::move(plots), frames, std::move(beside)});
   if (!waits_ || waiting_bytes_ > most_bytes_waiting) paint_waiting([](double) {});
 }
 
@@ -72,7 +73,11 @@ void Film::paint_waiting(const Told& painted) {
 
 void Film::paint(const Shot& shot) {
   CairoCanvas canvas({width, height});
-  paint_sheet(canvas, shot.picture, shot.plots);
+  if (shot.beside) {
+    paint_sheet(canvas, shot.picture, *shot.beside, shot.plots);
+  } else {
+    paint_sheet(canvas, shot.picture, shot.plots);
+  }
   const auto pixels = canvas.pixels();
   for (long k = 0; k < shot.frames; ++k) video_.add(pixels);
 }

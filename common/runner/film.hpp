@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "common/runner/cairo_canvas.hpp"
 #include "common/runner/colour_range.hpp"
-#include "common/runner/picture.hpp"
-#include "common/runner/plot.hpp"
+#include "common/runner/sheet.hpp"
 #include "common/runner/video_file.hpp"
 
 namespace clapotis {
@@ -27,7 +27,8 @@ class Film {
   /// Whether the state at `time` is to be in it; `dt` is the step that goes on from it.
   [[nodiscard]] bool due(double time, double dt) const { return time + rounding * dt >= next_; }
   /// Shows it, for as many frames as have become due. Throws FileError when ffmpeg is gone.
-  void add(Picture picture, std::vector<Plot> plots, double time, double dt);
+  void add(Picture picture, std::vector<Plot> plots, double time, double dt,
+           std::optional<Beside> beside = {});
   /// Goes on from another instant, or at another pace: a run that starts anew, a speed that changed.
   void go_on_from(double time) { next_ = time; }
   void pace(double interval) { interval_ = interval; }
@@ -43,6 +44,7 @@ class Film {
     Picture picture;
     std::vector<Plot> plots;
     long frames;
+    std::optional<Beside> beside;
   };
   void paint(const Shot& shot);
   void paint_waiting(const Told& painted);

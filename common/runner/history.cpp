@@ -60,16 +60,11 @@ void History::add(const Simulation& simulation, const Energy& energy) {
   latest_ = {simulation.time(), energy, simulation.error(), max_speed(simulation.particles())};
   largest_error_ = std::fmax(largest_error_, latest_.error);
   largest_speed_ = std::fmax(largest_speed_, latest_.max_speed);
-  if (count_++ % stride_ != 0) return;
-  kept_.push_back(latest_);
-  if (kept_.size() < most) return;
-  for (std::size_t k = 0; 2 * k < kept_.size(); ++k) kept_[k] = kept_[2 * k];
-  kept_.resize((kept_.size() + 1) / 2);
-  stride_ *= 2;
+  kept_.add(latest_);
 }
 
 std::vector<Sample> History::samples() const {
-  auto all = kept_;
+  auto all = kept_.kept();
   if (!all.empty() && all.back().time < latest_.time) all.push_back(latest_);
   return all;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/runner/plot.hpp"
+#include "common/runner/thinned.hpp"
 #include "common/simulation/simulation.hpp"
 
 namespace clapotis {
@@ -16,8 +17,7 @@ struct Sample {
   double max_speed = 0;  ///< [L/s]
 };
 
-/// A run's energies and error over time, in bounded memory: when it is full, every second sample goes, and
-/// from then on only every second one comes. Shared by the window and by headless runs.
+/// A run's energies and error over time, in bounded memory. Shared by the window and by headless runs.
 class History {
  public:
   void add(Simulation& simulation) { add(simulation, simulation.energy()); }
@@ -27,15 +27,15 @@ class History {
 
   /// The samples kept, and always the latest one; time grows.
   [[nodiscard]] std::vector<Sample> samples() const;
+  [[nodiscard]] const Sample& first() const { return kept_.kept().front(); }
+  [[nodiscard]] const Sample& latest() const { return latest_; }
   /// Of all samples that ever came, also those no longer kept; NaN without a reference.
   [[nodiscard]] double largest_error() const { return largest_error_; }
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
 
  private:
-  static constexpr std::size_t most = 4096;
-  std::vector<Sample> kept_;
+  Thinned<Sample> kept_;
   Sample latest_;
-  long count_ = 0, stride_ = 1;
   double largest_error_ = std::numeric_limits<double>::quiet_NaN(), largest_speed_ = 0;
 };
 

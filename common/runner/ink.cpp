@@ -84,4 +84,22 @@ void fitted_text(Canvas& canvas, Point at, std::string_view utf8, double height,
   canvas.text(at, cut(canvas, utf8, shrunk, room), shrunk, colour, align);
 }
 
+std::vector<std::string> broken(const Canvas& canvas, std::string_view utf8, double height, double room) {
+  std::vector<std::string> lines;
+  std::string line;
+  while (!utf8.empty()) {
+    const auto end = std::min(utf8.find(' ', 1), utf8.size());
+    const auto longer = line + std::string(utf8.substr(0, end));
+    if (!line.empty() && canvas.text_width(longer, height) > room) {
+      lines.push_back(line);
+      line = utf8.substr(1, end - 1);
+    } else {
+      line = longer;
+    }
+    utf8.remove_prefix(end);
+  }
+  lines.push_back(line);
+  return lines;
+}
+
 }  // namespace clapotis::ink

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/runner/canvas.hpp"
 
@@ -40,7 +42,7 @@ class Tone {
 inline constexpr Tone sheet{&Palette::sheet}, paper{&Palette::paper};
 inline constexpr Tone text{&Palette::text}, faint_text{&Palette::faint_text};
 inline constexpr Tone wall{&Palette::wall}, grid{&Palette::grid}, plain_disc{&Palette::plain_disc},
-    ghost{&Palette::ghost}, chosen{&Palette::chosen};
+    ghost{&Palette::ghost}, chosen{&Palette::chosen}, warning{&Palette::warning};
 
 // Sizes are pixels of a 1280 x 720 sheet; each is multiplied by the picture's scale. On a sheet of that size
 // 18 pixels are 1/40 of the height: the least that the back row can read.
@@ -50,5 +52,9 @@ inline constexpr double margin = 20;
 /// Text no wider than `room` [pixel]: its height shrinks, to 60 % at the least, then its end is cut off.
 void fitted_text(Canvas& canvas, Point at, std::string_view utf8, double height, double room, Colour colour,
                  Align align = Align::left);
+
+/// A sentence in lines no wider than `room` [pixel], broken at spaces.
+[[nodiscard]] std::vector<std::string> broken(const Canvas& canvas, std::string_view utf8, double height,
+                                              double room);
 
 }  // namespace clapotis::ink

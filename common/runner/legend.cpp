@@ -93,6 +93,21 @@ double paint_ruler(Canvas& canvas, const Picture& picture, const PictureView& vi
   return right + 10 * scale + canvas.text_width(label, height);
 }
 
+void paint_titles(Canvas& canvas, const std::string& title, const std::string& subtitle,
+                  const PictureView& view, double end, const std::optional<Colour>& mark) {
+  const double scale = view.scale;
+  const Point corner = view.area.corner;
+  double left = corner.x + ink::margin * scale;
+  if (mark) {
+    canvas.rectangle({{left, corner.y + 14 * scale}, {6 * scale, 60 * scale}}, *mark);
+    left += 16 * scale;
+  }
+  const double room = end - ink::margin * scale - left;
+  ink::fitted_text(canvas, {left, corner.y + 36 * scale}, title, ink::title * scale, room, ink::text);
+  ink::fitted_text(canvas, {left, corner.y + 68 * scale}, subtitle, ink::words * scale, room,
+                   ink::faint_text);
+}
+
 }  // namespace
 
 double header_height(double width, double scale, bool has_colours) {
@@ -101,16 +116,19 @@ double header_height(double width, double scale, bool has_colours) {
 
 double footer_height(double scale) { return 44 * scale; }
 
+bool has_legend(const Picture& picture) { return picture.legend && picture.value.size() > 0; }
+
 void paint_header(Canvas& canvas, const Picture& picture, const PictureView& view) {
-  const double scale = view.scale;
-  const Point corner = view.area.corner;
-  const double left = corner.x + ink::margin * scale;
   const double end =
-      picture.value.size() > 0 ? paint_legend(canvas, picture, view) : corner.x + view.area.extent.x;
-  const double room = end - ink::margin * scale - left;
-  ink::fitted_text(canvas, {left, corner.y + 36 * scale}, picture.title, ink::title * scale, room, ink::text);
-  ink::fitted_text(canvas, {left, corner.y + 68 * scale}, picture.subtitle, ink::words * scale, room,
-                   ink::faint_text);
+      has_legend(picture) ? paint_legend(canvas, picture, view) : view.area.corner.x + view.area.extent.x;
+  paint_titles(canvas, picture.title, picture.subtitle, view, end, picture.mark);
+}
+
+void paint_common_header(Canvas& canvas, const std::string& title, const std::string& subtitle,
+                         const Picture& picture, const PictureView& view) {
+  const double end = picture.value.size() > 0 ? paint_legend(canvas, picture, view)
+                                              : view.area.corner.x + view.area.extent.x;
+  paint_titles(canvas, title, subtitle, view, end, std::nullopt);
 }
 
 void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& view) {
@@ -119,7 +137,9 @@ void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& vie
   const double baseline = middle + 0.36 * height;
   const double right = view.area.corner.x + view.area.extent.x - ink::margin * scale;
   const auto room = [&](double x) { return right - x; };
-  double x = paint_ruler(canvas, picture, view, middle);
+  // Of one of two pictures there is no room for both: its error says more than its size.
+  const bool measured = picture.legend || picture.note.empty();
+  double x = measured ? paint_ruler(canvas, picture, view, middle) : view.area.corner.x - 14 * scale;
   const auto key = [&](Colour colour, double hole, const std::string& label) {
     x += 34 * scale;
     const double radius = 9 * scale;

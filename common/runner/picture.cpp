@@ -95,7 +95,7 @@ Eigen::Vector2d PictureView::to_world(Point pixel) const {
 }
 
 PictureView fit(const Picture& picture, const Box& area, double scale) {
-  const double header = header_height(area.extent.x, scale, picture.value.size() > 0);
+  const double header = header_height(area.extent.x, scale, has_legend(picture));
   const double height = std::max(1.0, area.extent.y - header - footer_height(scale));
   const Box scene{{area.corner.x, area.corner.y + header}, {area.extent.x, height}};
   const Eigen::Array2d world = (picture.upper - picture.lower).max(1e-300);
@@ -126,6 +126,7 @@ void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureV
   paint_solids(canvas, picture, view);
   if (picture.liquid) walls();  // they cut off straight what closes the gaps of the liquid
   paint_marks(canvas, picture, view);
+  paint_alarm(canvas, picture, view);
 }
 
 /// The cells of the neighbour search; those in which the chosen particle's neighbours are looked for are
@@ -186,6 +187,25 @@ void Painter::paint_solids(Canvas& canvas, const Picture& picture, const Picture
     if (is_seen(disc, view.scene)) discs_.push_back(disc);
   }
   if (!discs_.empty()) canvas.discs(discs_);
+}
+
+/// A box in the upper part of the scene: what is shown below it is the last good state.
+void Painter::paint_alarm(Canvas& canvas, const Picture& picture, const PictureView& view) {
+  if (picture.alarm.empty()) return;
+  const double scale = view.scale, height = ink::words * scale, leading = 1.35 * height, pad = 14 * scale,
+               rim = 2 * scale;
+  const double width = std::min(view.scene.extent.x - 2 * ink::margin * scale, 640 * scale);
+  const auto lines = ink::broken(canvas, picture.alarm, height, width - 2 * pad);
+  const Point corner{view.scene.corner.x + (view.scene.extent.x - width) / 2,
+                     view.scene.corner.y + ink::margin * scale};
+  const double tall = leading * static_cast<double>(lines.size()) + 2 * pad;
+  canvas.rectangle({{corner.x - rim, corner.y - rim}, {width + 2 * rim, tall + 2 * rim}}, ink::warning);
+  canvas.rectangle({corner, {width, tall}}, ink::paper);
+  double baseline = corner.y + pad + height;
+  for (const auto& line : lines) {
+    canvas.text({corner.x + pad, baseline}, line, height, ink::warning);
+    baseline += leading;
+  }
 }
 
 /// Ghosts, neighbours and the chosen particle: rings, so that the particle below stays visible.

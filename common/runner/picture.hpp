@@ -57,6 +57,10 @@ struct Picture {
       cell;  ///< side of the square cells of the neighbour search, from `lower` on [length unit]
   std::optional<Chosen> chosen;
   std::string note;  ///< "error of y: 1.2e-6 m (closed form)"
+  // of one of two that stand side by side
+  bool legend = true;          ///< of its colours; otherwise one stands above both
+  std::optional<Colour> mark;  ///< beside its title: the colour of its curves in the plots
+  std::string alarm;           ///< over the scene: why the run stopped
 };
 
 /// From the world to the canvas: which piece of the world is seen where.
@@ -88,6 +92,7 @@ class Painter {
   void paint_particles(Canvas& canvas, const Picture& picture, const PictureView& view);
   void paint_solids(Canvas& canvas, const Picture& picture, const PictureView& view);
   void paint_marks(Canvas& canvas, const Picture& picture, const PictureView& view);
+  static void paint_alarm(Canvas& canvas, const Picture& picture, const PictureView& view);
 
   std::vector<Disc> discs_;
   std::vector<Point> points_;

@@ -110,11 +110,13 @@ double key_width(const Canvas& canvas, const Curve& curve, double scale) {
 /// Curve labels in a row that ends at `right`, or as many rows as they need; the height of all rows.
 double paint_keys(Canvas& canvas, const Plot& plot, const Box& area, double title_end, double scale) {
   double needed = 0;
-  for (const Curve& curve : plot.curves) needed += key_width(canvas, curve, scale);
+  for (const Curve& curve : plot.curves)
+    if (!curve.label.empty()) needed += key_width(canvas, curve, scale);
   const double left = area.corner.x + ink::margin * scale, right = area.corner.x + area.extent.x;
   const bool beside_title = title_end + needed <= right;
   double x = beside_title ? right - needed : left, row = beside_title ? 1 : 2;
   for (const Curve& curve : plot.curves) {
+    if (curve.label.empty()) continue;
     const double width = key_width(canvas, curve, scale);
     if (x + width > right + 1 && x > left) x = left, ++row;
     const double baseline = area.corner.y + row * row_height * scale - 6 * scale,

@@ -8,7 +8,7 @@
 namespace clapotis {
 
 struct Curve {
-  std::string label;
+  std::string label;  ///< none: no key for it
   Colour colour = ink::palette().curves[0];
   std::vector<double> xs,
       ys;  ///< same size; xs grow; the curve has a gap at a NaN, infinity, or <= 0 when log_y

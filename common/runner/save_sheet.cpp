@@ -24,9 +24,9 @@ void save_sheet(const std::filesystem::path& file, const Picture& picture, std::
   save(file, plots, picture);
 }
 
-void save_sheet(const std::filesystem::path& file, const Picture& left, const Picture& right,
+void save_sheet(const std::filesystem::path& file, const Picture& left, const Beside& beside,
                 std::span<const Plot> plots) {
-  save(file, plots, left, right);
+  save(file, plots, left, beside);
 }
 
 }  // namespace clapotis

@@ -4,6 +4,7 @@
 
 #include "common/runner/cairo_canvas.hpp"
 #include "common/runner/ink.hpp"
+#include "common/runner/legend.hpp"
 
 namespace clapotis {
 namespace {
@@ -65,14 +66,33 @@ void paint_sheet(Canvas& canvas, const Picture& picture, std::span<const Plot> p
   paint_into(canvas, picture, layout.scene);
 }
 
-void paint_sheet(Canvas& canvas, const Picture& left, const Picture& right, std::span<const Plot> plots) {
+SplitArea split(const Box& area, const Picture& left, double scale) {
+  const auto [corner, extent] = area;
+  const double header = header_height(extent.x, scale, left.value.size() > 0), half = extent.x / 2;
+  const double top = corner.y + header, height = std::max(1.0, extent.y - header);
+  return {.header = {corner, {extent.x, header}},
+          .left = {{corner.x, top}, {half, height}},
+          .right = {{corner.x + half, top}, {half, height}}};
+}
+
+void paint_frame(Canvas& canvas, const Picture& left, const Beside& beside, const SplitArea& area,
+                 double scale) {
+  canvas.rectangle(area.header, ink::sheet);
+  paint_common_header(canvas, beside.title, beside.subtitle, left,
+                      {.area = area.header, .scene = area.header, .scale = scale});
+  const double width = 2 * scale;
+  canvas.rectangle({{area.right.corner.x - width / 2, area.right.corner.y}, {width, area.right.extent.y}},
+                   ink::grid);
+}
+
+void paint_sheet(Canvas& canvas, const Picture& left, const Beside& beside, std::span<const Plot> plots) {
   const auto layout = plots_below(canvas.size(), !plots.empty());
+  const double scale = scale_of(canvas.size());
   paint_plots(canvas, layout, plots);
-  const Box both = layout.scene;
-  const double half = both.extent.x / 2;
-  paint_into(canvas, left, {both.corner, {half, both.extent.y}});
-  paint_into(canvas, right, {{both.corner.x + half, both.corner.y}, {half, both.extent.y}});
-  canvas.rectangle({{half - 1, both.corner.y}, {2, both.extent.y}}, ink::grid);
+  const auto area = split(layout.scene, left, scale);
+  paint_into(canvas, left, area.left);
+  paint_into(canvas, beside.right, area.right);
+  paint_frame(canvas, left, beside, area, scale);
 }
 
 void write_sheet(const std::filesystem::path& file, const Picture& picture, std::span<const Plot> plots,
@@ -82,10 +102,10 @@ void write_sheet(const std::filesystem::path& file, const Picture& picture, std:
   canvas.save();
 }
 
-void write_sheet(const std::filesystem::path& file, const Picture& left, const Picture& right,
+void write_sheet(const std::filesystem::path& file, const Picture& left, const Beside& beside,
                  std::span<const Plot> plots, Point size) {
   CairoCanvas canvas(file, size);
-  paint_sheet(canvas, left, right, plots);
+  paint_sheet(canvas, left, beside, plots);
   canvas.save();
 }
 

@@ -29,4 +29,7 @@ struct Ticks {
 /// Three digits in always the same width while the power of ten is the same: "1.05e-3".
 [[nodiscard]] std::string three_digits(double value);
 
+/// 1234567 as 1 234 567, with narrow spaces.
+[[nodiscard]] std::string grouped(long long count);
+
 }  // namespace clapotis

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/integrators/integrator.hpp"
@@ -64,6 +65,15 @@ struct Preset {
   Defaults values;
 };
 
+/// A way to compute the same scene that no parameter chooses: in the stage of the grid, the list of the stage
+/// before. It shares everything with the scene but what it builds.
+struct Rival {
+  std::string what;        ///< for example "neighbour_search"
+  std::string own, other;  ///< what the scene has, and what this: "grid", "list"
+  std::string stage;       ///< where it is a scene of its own, by the same name
+  std::function<Setup(Parameters&)> build;
+};
+
 /// A scene: a function from its parameters to a simulation. Reset, sweeps, tests, studies, comparison all
 /// call it.
 struct Scene {
@@ -72,6 +82,10 @@ struct Scene {
   Defaults defaults;        ///< where they differ from those of the laws
   std::function<Setup(Parameters&)> build;
   std::vector<Preset> presets = {};
+  /// What its two sides differ in at first when it is compared with itself, and the right side's value:
+  /// "integrator", or a parameter. The rival where there is one, and none is stated.
+  std::optional<std::pair<std::string, std::string>> beside = {};
+  std::optional<Rival> rival = {};
 
   /// Its values, as given by `origin`; throws BadInput with the nearest name.
   [[nodiscard]] Overrides preset(std::string_view wanted, Origin origin) const;

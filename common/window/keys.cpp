@@ -39,7 +39,7 @@ void select(WindowState& state, int direction) {
 
 void other_theme() { ink::use(ink::theme() == ink::Theme::light ? ink::Theme::dark : ink::Theme::light); }
 
-constexpr std::array<Shortcut, 28> table{{
+constexpr std::array<Shortcut, 29> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
@@ -60,6 +60,7 @@ constexpr std::array<Shortcut, 28> table{{
      [](WindowState& s, bool) { select(s, 1); }},  // AZERTY, no Shift
     {Key::v, 0, "V", &W::does_vectors, [](WindowState& s, bool) { s.sight.vectors = !s.sight.vectors; }},
     {Key::e, 0, "E", &W::does_plots, [](WindowState& s, bool) { s.sight.plots = !s.sight.plots; }},
+    {Key::b, 0, "B", &W::does_sides, [](WindowState& s, bool) { s.toggle_sides(); }},
     {Key::tab, 0, "Tab", &W::does_panel, [](WindowState& s, bool) { s.panel = !s.panel; }},
     {Key::home, 0, "Home", &W::does_view, [](WindowState& s, bool) { s.sight.show_whole_scene(); }},
     {Key::f5, 0, "F5", &W::does_save, [](WindowState& s, bool) { s.save(); }},

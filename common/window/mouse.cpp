@@ -11,7 +11,8 @@ constexpr double zoom_per_notch = 1.15;
 
 }  // namespace
 
-void SceneMouse::handle(WindowState& state, const PictureView& view, const Input& input) {
+void SceneMouse::handle(WindowState& state, const Simulation& shown, const PictureView& view,
+                        const Input& input) {
   using Kind = Input::Kind;
   const bool here = view.shows(input.at);
   if (input.kind == Kind::wheel && here) {
@@ -27,7 +28,7 @@ void SceneMouse::handle(WindowState& state, const PictureView& view, const Input
   } else if (input.kind == Kind::button_up && input.button == MouseButton::left && pressed_) {
     const bool clicked = std::hypot(input.at.x - pressed_->x, input.at.y - pressed_->y) <= still;
     pressed_.reset();
-    if (clicked) state.sight.select_at(state.session.simulation(), view, input.at, reach * state.scale);
+    if (clicked) state.sight.select_at(shown, view, input.at, reach * state.scale);
   }
 }
 

@@ -10,7 +10,8 @@ namespace clapotis {
 /// What the mouse does in the scene: click selects, wheel zooms, middle drag moves the view.
 class SceneMouse {
  public:
-  void handle(WindowState& state, const PictureView& view, const Input& input);
+  /// `shown` is what the view shows.
+  void handle(WindowState& state, const Simulation& shown, const PictureView& view, const Input& input);
 
  private:
   std::optional<Point> pressed_;  ///< where the left button went down

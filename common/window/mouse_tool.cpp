@@ -65,15 +65,14 @@ void MouseTool::end(WindowState& state) {
   const auto tool = *std::exchange(tool_, std::nullopt);
   wanted_ = {0, 0};
   if (tool == Tool::pull || tool == Tool::push)
-    state.attempt([&] { hold_hand(state.session.simulation(), {0, 0}, 0); });
+    state.attempt([&] { state.session.act_on_both([](Simulation& s) { hold_hand(s, {0, 0}, 0); }); });
 }
 
 void MouseTool::apply(WindowState& state, const PictureView& view, Point at) {
-  auto& simulation = state.session.simulation();
   const Vector r = world(view, at);
-  const double radius = brush_radius(simulation, *tool_);
+  const double radius = brush_radius(state.session.simulation(), *tool_);
   applied_ = at;
-  state.attempt([&] {
+  const auto act = [&](Simulation& simulation) {
     switch (*tool_) {
       case Tool::probe:
         break;
@@ -96,7 +95,8 @@ void MouseTool::apply(WindowState& state, const PictureView& view, Point at) {
         wanted_ = 1 / view.pixels_per_unit * Vector{at.x - begun_.x, begun_.y - at.y};
         break;
     }
-  });
+  };
+  state.attempt([&] { state.session.act_on_both(act); });
 }
 
 void MouseTool::follow(WindowState& state) {
@@ -117,7 +117,7 @@ void MouseTool::follow(WindowState& state) {
   tank_ += std::min(dt, 0.5 / swing) * speed_;
   const double near = 0.1 * session.simulation().setup().radius;
   if (!tool_ && norm(tank_) < near && norm(speed_) < swing * near) tank_ = speed_ = a = {0, 0};
-  shake_tank(session.simulation(), a);
+  session.act_on_both([&](Simulation& s) { shake_tank(s, a); });
   state.sight.tank = {tank_.x, tank_.y};
 }
 

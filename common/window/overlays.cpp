@@ -61,7 +61,7 @@ float text_room(const Box& area, double scale) {
 
 void lay_out_divergence(WindowState& state, const Box& area, Controls& controls) {
   const auto& reason = state.session.diverged();
-  if (!reason) return;
+  if (!reason || state.session.sides() != nullptr) return;  // of two sides each says it in its own half
   begin_box("divergence", area, 0.5F, 0.4F);
   {
     theme::Bold bold;

@@ -4,6 +4,7 @@
 
 #include "common/runner/ticks.hpp"
 #include "common/simulation/tools.hpp"
+#include "common/window/combo.hpp"
 #include "common/window/step_light.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
@@ -45,14 +46,6 @@ std::string duration(double milliseconds) {
                             : fmt::format("{:.3g} ms", milliseconds);
 }
 
-/// 1234567 as 1 234 567, with narrow spaces.
-std::string count(long long number) {
-  auto digits = std::to_string(number);
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(static_cast<std::size_t>(at), "\u2009");
-  return digits;
-}
-
 }  // namespace
 
 void Panel::lay_out(WindowState& state, const Box& area) {
@@ -64,6 +57,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   transport(state);
   scene(state);
+  sides_.lay_out(state, controls_);
   mouse(state);
   parameters(state);
   time_step(state);
@@ -82,7 +76,7 @@ bool Panel::button(const std::string& name, std::string_view label, float width)
 void Panel::transport(WindowState& state) {
   auto& session = state.session;
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const bool stopped = session.diverged().has_value(), runs = !session.paused() && !stopped;
+  const bool stopped = session.stopped(), runs = !session.paused() && !stopped;
   ImGui::BeginDisabled(stopped);
   {
     theme::Main main;
@@ -113,7 +107,7 @@ void Panel::speed(WindowState& state) {
   ImGui::SameLine(start + whole - side);
   if (button("help", "?", side)) state.help = !state.help;
   const auto& rates = state.cost.rates();
-  if (!rates.slower_than_asked || session.paused() || session.diverged()) return;
+  if (!rates.slower_than_asked || session.paused() || session.stopped()) return;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled(
@@ -133,20 +127,7 @@ std::optional<std::size_t> Panel::list(WindowState& state, const std::string& na
 std::optional<std::size_t> Panel::combo(WindowState& state, const std::string& name,
                                         const std::vector<std::string>& names, const std::string& present,
                                         float width) {
-  std::optional<std::size_t> chosen;
-  ImGui::SetNextItemWidth(width);
-  const std::string shown(called(present));
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLargest);
-  if (!open) controls_.name_last(name);
-  if (!open) return chosen;
-  state.menu_open = true;
-  if (state.close_menu) ImGui::CloseCurrentPopup();
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (ImGui::Selectable(std::string(called(names[k])).c_str(), names[k] == present)) chosen = k;
-    controls_.name_last(name + ":" + names[k]);
-  }
-  ImGui::EndCombo();
-  return chosen;
+  return clapotis::combo(state, controls_, name, names, present, width);
 }
 
 /// Beside the scene that it belongs to.
@@ -313,11 +294,11 @@ void Panel::cost(WindowState& state) {
                         ? say(w().real_time, fmt::arg("factor", two_digits(rates.possible_speed)))
                         : std::string());
   const long long n = state.session.simulation().particles().size();
-  fact(say(w().particles, fmt::arg("count", count(n))),
+  fact(say(w().particles, fmt::arg("count", grouped(n))),
        say(w().step_cost, fmt::arg("time", duration(rates.step_milliseconds))));
   if (rates.pairs)
-    fact(say(w().pairs_near, fmt::arg("count", count(rates.pairs->neighbours))),
-         say(w().pairs_tested, fmt::arg("count", count(rates.pairs->candidates))));
+    fact(say(w().pairs_near, fmt::arg("count", grouped(rates.pairs->neighbours))),
+         say(w().pairs_tested, fmt::arg("count", grouped(rates.pairs->candidates))));
   fact(say(w().frames,
            fmt::arg("count",
                     rates.frames_per_second == 0 ? "…" : fmt::format("{:.0f}", rates.frames_per_second))),

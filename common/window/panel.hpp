@@ -7,6 +7,7 @@
 #include "common/runner/canvas.hpp"
 #include "common/window/controls.hpp"
 #include "common/window/parameter_rows.hpp"
+#include "common/window/sides_section.hpp"
 #include "common/window/window_state.hpp"
 
 namespace clapotis {
@@ -40,6 +41,7 @@ class Panel {
 
   Controls& controls_;
   ParameterRows rows_;
+  SidesSection sides_;
 };
 
 }  // namespace clapotis

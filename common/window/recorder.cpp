@@ -36,15 +36,16 @@ void Recorder::begin(const Session& session) {
   starts_ = session.starts();
 }
 
-void Recorder::shoot(const Session& session, const Picture& picture, const std::vector<Plot>& plots) {
+void Recorder::shoot(const Session& session, const Picture& picture, const std::optional<Beside>& beside,
+                     const std::vector<Plot>& plots) {
   if (!film_) return;
   const auto& simulation = session.simulation();
-  if (starts_ != session.starts()) film_->go_on_from(simulation.time());
+  if (starts_ != session.starts()) film_->go_on_from(session.time());
   starts_ = session.starts();
   film_->pace(film_interval(session));
-  if (!film_->due(simulation.time(), simulation.dt())) return;
+  if (!film_->due(session.time(), simulation.dt())) return;
   try {
-    film_->add(picture, plots, simulation.time(), simulation.dt());
+    film_->add(picture, plots, session.time(), simulation.dt(), beside);
   } catch (const FileError&) {
     film_.reset();
     throw;

@@ -28,7 +28,8 @@ class Recorder {
   [[nodiscard]] bool recording() const { return film_.has_value(); }
   /// Adds what the window shows when a frame of it is due. Throws FileError when the video had to be given
   /// up.
-  void shoot(const Session& session, const Picture& picture, const std::vector<Plot>& plots);
+  void shoot(const Session& session, const Picture& picture, const std::optional<Beside>& beside,
+             const std::vector<Plot>& plots);
   /// Ends the video and returns its name. Throws FileError.
   std::string end();
   [[nodiscard]] double seconds() const { return film_ ? film_->seconds() : 0; }  ///< of the video so far

@@ -1,7 +1,9 @@
 #include "common/window/scene_view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "common/runner/ink.hpp"
@@ -37,6 +39,21 @@ std::string line(std::string_view symbol, const std::string& value, const std::s
 
 std::string components(const Vector& v) { return fmt::format("({}, {})", steady(v.x), steady(v.y)); }
 
+/// That of the longest arrow.
+double arrow_speed(const Particles& particles) {
+  const double typical = std::sqrt(particles.velocity.square().rowwise().sum().mean());
+  return std::min(2 * typical, max_speed(particles));
+}
+
+/// As many of them as have room; difference, which the errors tell, goes first.
+std::vector<Plot> plots_of_sides(const SideBySide& sides, double width) {
+  constexpr double narrowest = 280;  // [pixel]
+  auto all = compare_plots(sides.distances(), sides.left(), sides.right());
+  const auto most = static_cast<std::size_t>(std::max(2.0, width / narrowest));
+  if (all.size() > most) all.resize(most);
+  return all;
+}
+
 }  // namespace
 
 void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
@@ -45,26 +62,40 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   auto& sight = state.sight;
   if (sight.viewpoint.chosen && !simulation.particles().place_of(*sight.viewpoint.chosen))
     sight.viewpoint.chosen.reset();
-  picture_ = describe(session.stage().title, simulation, sight.viewpoint);
-  picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
-                                  step_text(simulation), simulation.particles().size());
+  beside_.reset();
+  if (auto* sides = session.sides()) {
+    describe_sides(state, *sides);
+  } else {
+    picture_ = describe(session.stage().title, simulation, sight.viewpoint);
+    picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
+                                    step_text(simulation), simulation.particles().size());
+  }
   if (picture_.chosen)  // the probe says the rest
     picture_.chosen->label = say(words().window.particle, fmt::arg("id", *sight.viewpoint.chosen));
   if (picture_.value.size() > 0) {
     auto& [label, unit, lo, hi, map] = picture_.colours;
     std::tie(lo, hi) = sight.colour_range.follow(lo, hi);
+    if (beside_) beside_->right.colours = picture_.colours;
   }
   const double scale = state.scale;
   const double plots_height = sight.plots ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
   const Box above{area.corner, {area.extent.x, area.extent.y - plots_height}};
-  view_ = sight.view(picture_, above, picture_scale * scale);
+  const auto halves = split(above, picture_, picture_scale * scale);
+  view_ = sight.view(picture_, beside_ ? halves.left : above, picture_scale * scale);
   painter_.paint(canvas, picture_, view_);
   canvas.clip(view_.scene);
-  if (sight.vectors) paint_velocities(canvas, state);
+  if (sight.vectors) {
+    const auto* sides = session.sides();
+    const double right = sides != nullptr ? arrow_speed(sides->right().simulation->particles()) : 0;
+    arrow_speed_ = sight.arrow_range.follow(0, std::max(arrow_speed(simulation.particles()), right)).second;
+    paint_velocities(canvas, state, simulation, view_);
+  }
   if (sight.viewpoint.chosen) paint_probe(canvas, state);
   paint_brush(canvas, state);
   canvas.unclip();
-  plots_ = plots(session.history(), simulation);
+  if (beside_) paint_right(canvas, state, halves);
+  plots_ = session.sides() != nullptr ? plots_of_sides(*session.sides(), area.extent.x / scale)
+                                      : plots(session.history(), simulation);
   if (plots_height < 60 * scale) return;
   const double width = area.extent.x / static_cast<double>(plots_.size());
   for (std::size_t k = 0; k < plots_.size(); ++k) {
@@ -74,16 +105,44 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   }
 }
 
-void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
-  const auto& particles = state.session.simulation().particles();
-  const double typical = std::sqrt(particles.velocity.square().rowwise().sum().mean());
-  const double range = state.sight.arrow_range.follow(0, std::min(2 * typical, max_speed(particles))).second;
-  const double high = range > 0 ? range : 1;
+/// Of the left side in one half, of the right side in the other; both have one range of colours, to which a
+/// side that has diverged adds nothing.
+void SceneView::describe_sides(WindowState& state, SideBySide& sides) {
+  const auto& left = *sides.left().simulation;
+  const auto what = sides.contrast();
+  picture_ = describe_side(sides.left(), printed_contrast(left, {what.name, value_of(left, what.name)}),
+                           left_colour(), state.sight.viewpoint);
+  auto right =
+      describe_side(sides.right(), printed_contrast(left, what), right_colour, state.sight.viewpoint);
+  auto& colours = picture_.colours;
+  if (!sides.left().runs()) std::tie(colours.lo, colours.hi) = std::pair(right.colours.lo, right.colours.hi);
+  if (sides.left().runs() && sides.right().runs()) {
+    colours.lo = std::min(colours.lo, right.colours.lo);
+    colours.hi = std::max(colours.hi, right.colours.hi);
+  }
+  beside_ = clapotis::beside(sides.left(), sides.right(), std::move(right), sides.time());
+}
+
+void SceneView::paint_right(Canvas& canvas, WindowState& state, const SplitArea& area) {
+  const double scale = picture_scale * state.scale;
+  right_view_ = state.sight.view(beside_->right, area.right, scale);
+  painter_.paint(canvas, beside_->right, right_view_);
+  canvas.clip(right_view_.scene);
+  if (state.sight.vectors)
+    paint_velocities(canvas, state, *state.session.sides()->right().simulation, right_view_);
+  canvas.unclip();
+  paint_frame(canvas, picture_, *beside_, area, scale);
+}
+
+void SceneView::paint_velocities(Canvas& canvas, WindowState& state, const Simulation& simulation,
+                                 const PictureView& view) {
+  const auto& particles = simulation.particles();
+  const double high = arrow_speed_ > 0 ? arrow_speed_ : 1;
   const double length = longest_arrow * state.scale / high;
   ends_.clear();
   for (Index i = 0; i < particles.size(); ++i) {
     const Vector v = row(particles.velocity, i);
-    const Point from = view_.to_pixel(particles.position(i, 0), particles.position(i, 1));
+    const Point from = view.to_pixel(particles.position(i, 0), particles.position(i, 1));
     const Point arrow{v.x * length, -v.y * length};
     if (!(arrow.x * arrow.x + arrow.y * arrow.y > 4)) continue;  // false for NaN, too
     const Point tip{from.x + arrow.x, from.y + arrow.y};
@@ -95,7 +154,7 @@ void SceneView::paint_velocities(Canvas& canvas, WindowState& state) {
     }
   }
   canvas.segments(ends_, ink::text, 1.5 * state.scale);
-  paint_arrow_key(canvas, state, high);
+  if (&view == &view_) paint_arrow_key(canvas, state, high);
 }
 
 /// How far the tool reaches.
@@ -174,7 +233,11 @@ Box SceneView::domain() const {
 
 std::string SceneView::save(const Session& session) const {
   const auto file = free_name(session, ".png");
-  save_sheet(file, picture_, plots_);
+  if (beside_) {
+    save_sheet(file, picture_, *beside_, plots_);
+  } else {
+    save_sheet(file, picture_, plots_);
+  }
   return file.string();
 }
 

@@ -22,6 +22,8 @@ Key key_of(sf::Keyboard::Key code) {
   switch (code) {
     case K::A:
       return Key::a;
+    case K::B:
+      return Key::b;
     case K::C:
       return Key::c;
     case K::E:

@@ -26,15 +26,20 @@ Session::Session(const Stage& stage, const Options& options)
 }
 
 void Session::start(std::size_t scene, const Overrides& overrides, const std::string& integrator) {
-  play(std::make_unique<Simulation>(stage_.scenes[scene], overrides, integrator, threads_));
+  play(std::make_shared<Simulation>(stage_.scenes[scene], overrides, integrator, threads_));
 }
 
 /// Changes nothing before everything that can throw is done.
-void Session::play(std::unique_ptr<Simulation> simulation) {
+void Session::play(std::shared_ptr<Simulation> simulation) {
+  auto sides = sides_ ? std::make_unique<SideBySide>(stage_, simulation, contrast_for(*simulation)) : nullptr;
   const Scene& known = stage_.scene(simulation->scene().name);
   const auto scene = static_cast<std::size_t>(&known - stage_.scenes.data());
-  if (!defaults_ || scene != scene_) defaults_ = defaults_of(known);
+  if (!defaults_ || scene != scene_) {
+    defaults_ = defaults_of(known);
+    contrast_.reset();
+  }
   simulation_ = std::move(simulation);
+  sides_ = std::move(sides);
   scene_ = scene;
   history_.clear();
   history_.add(*simulation_);
@@ -67,13 +72,18 @@ void Session::choose_integrator(const std::string& name) {
   if (diverged_) {
     start(scene_, simulation_->parameters().overrides(), name);
   } else {
+    if (sides_) sides_->level();
     simulation_->use_integrator(name);
+    if (!sides_) return;
+    if (sides_->contrast().name != "integrator") sides_->right().simulation->use_integrator(name);
+    sides_->changed();
   }
 }
 
 void Session::set(const std::string& parameter, const std::string& value) {
   const Parameter* known = simulation_->parameters().find(parameter);
   if (known == nullptr || known->change == Change::live) {
+    if (sides_) return set_both(parameter, value);
     simulation_->set(parameter, value);
     return;
   }
@@ -82,7 +92,12 @@ void Session::set(const std::string& parameter, const std::string& value) {
   start(scene_, changed.overrides(), simulation_->integrator());
 }
 
-void Session::restore(const SavedState& saved) { play(resume_simulation(stage_, saved, threads_)); }
+/// A saved state is that of one side: what would the other be?
+void Session::restore(const SavedState& saved) {
+  auto simulation = resume_simulation(stage_, saved, threads_);
+  sides_.reset();
+  play(std::move(simulation));
+}
 
 void Session::choose_preset(const std::string& name) {
   start(scene_, simulation_->scene().preset(name, Origin::window), simulation_->integrator());
@@ -117,9 +132,14 @@ bool Session::reached_end() const {
 }
 
 void Session::step(int count) {
-  if (diverged_) return;
+  if (stopped()) return;
   paused_ = true;
   work_ = {};
+  if (sides_)
+    return act_on_sides([&] {
+      for (int k = 0; k < count; ++k) sides_->step();
+      return true;
+    });
   const double start = wall_seconds();
   for (int k = 0; k < count && !diverged_ && step_once(); ++k) {
   }
@@ -129,7 +149,10 @@ void Session::step(int count) {
 
 void Session::advance(double elapsed, double budget) {
   work_ = {};
-  if (paused_ || diverged_) return;
+  if (paused_ || stopped()) return;
+  if (sides_)
+    return act_on_sides(
+        [&] { return sides_->advance(std::clamp(elapsed, 0.0, Pacer::longest_frame) * speed(), budget); });
   pacer_.pass(elapsed, speed());
   const double start = wall_seconds();
   while (pacer_.due(simulation_->dt())) {
@@ -148,6 +171,82 @@ void Session::advance(double elapsed, double budget) {
   }
   work_.seconds = wall_seconds() - start;
   if (work_.steps > 0) history_.add(*simulation_);
+}
+
+// Two sides.
+
+/// What was chosen in this scene, or else the scene's own.
+Contrast Session::contrast_for(const Simulation& left) const {
+  const auto known = contrasts(left);
+  const bool holds = contrast_ && left.scene().name == simulation_->scene().name &&
+                     std::find(known.begin(), known.end(), contrast_->name) != known.end();
+  return holds ? *contrast_ : first_contrast(left);
+}
+
+/// Changes nothing before everything that can throw is done.
+void Session::start_sides(const Contrast& contrast) {
+  auto left = std::make_shared<Simulation>(stage_.scenes[scene_], simulation_->parameters().overrides(),
+                                           simulation_->integrator(), threads_);
+  auto sides = std::make_unique<SideBySide>(stage_, left, contrast);
+  const auto preset = preset_;
+  sides_.reset();
+  play(std::move(left));
+  sides_ = std::move(sides);
+  preset_ = preset;
+}
+
+void Session::toggle_side_by_side() {
+  if (!sides_) return start_sides(contrast_for(*simulation_));
+  sides_.reset();
+  pacer_.forgive();
+}
+
+void Session::differ_in(const std::string& contrast) { choose(contrast_in(*simulation_, contrast)); }
+
+void Session::choose_other(const std::string& value) {
+  if (sides_) choose({sides_->contrast().name, value});
+}
+
+void Session::choose(const Contrast& contrast) {
+  start_sides(contrast);
+  contrast_ = contrast;
+}
+
+/// Of a live parameter, on the left and, unless the sides differ in it, on the right.
+void Session::set_both(const std::string& parameter, const std::string& value) {
+  auto& right = *sides_->right().simulation;
+  const bool both = sides_->contrast().name != parameter && right.parameters().find(parameter) != nullptr;
+  if (both) Parameters(right.parameters()).set(parameter, value, Origin::window);  // or throws
+  sides_->level();
+  simulation_->set(parameter, value);
+  if (both) right.set(parameter, value);
+  sides_->changed();
+}
+
+void Session::act_on_both(const std::function<void(Simulation&)>& act) {
+  if (sides_) sides_->level();
+  act(*simulation_);
+  if (!sides_) return;
+  act(*sides_->right().simulation);
+  sides_->changed();
+}
+
+/// Counts what `act` does to both; the work is that of the left side.
+template <class Act>
+void Session::act_on_sides(const Act& act) {
+  const long steps = simulation_->steps();
+  const double time = simulation_->time(), cpu = sides_->left().cpu_seconds;
+  const bool before_end = until_ && sides_->time() < *until_;
+  sides_->end_at(before_end ? *until_ : std::numeric_limits<double>::infinity());
+  work_.within_budget = act();
+  diverged_ = sides_->left().divergence;
+  work_.steps = simulation_->steps() - steps;
+  work_.simulated = simulation_->time() - time;
+  work_.seconds = sides_->left().cpu_seconds - cpu;
+  if (work_.steps > 0 && !diverged_) history_.add(*simulation_);
+  if (before_end && sides_->time() >= *until_) paused_ = true;
+  if (work_.steps > 0 && steps_until_ && steps < *steps_until_ && simulation_->steps() >= *steps_until_)
+    paused_ = true;
 }
 
 }  // namespace clapotis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "common/simulation/errors.hpp"
 #include "common/simulation/simulation.hpp"
 #include "common/window/pacer.hpp"
+#include "common/window/side_by_side.hpp"
 
 namespace clapotis {
 
@@ -31,6 +33,16 @@ class Session {
   /// Goes on from a saved state of this stage. Throws FileError when it does not fit.
   void restore(const SavedState& saved);
 
+  // The same scene a second time, beside the first: see SideBySide. All that is asked of the session counts
+  // for both sides, except where they differ; each of these starts both anew.
+  void toggle_side_by_side();                   ///< off: the left side goes on alone
+  void differ_in(const std::string& contrast);  ///< an integrator, a rival, a parameter
+  void choose_other(const std::string& value);  ///< the right side's
+  /// Acts on the simulation, and on the right side where there is one: what a hand does.
+  void act_on_both(const std::function<void(Simulation&)>& act);
+  [[nodiscard]] SideBySide* sides() { return sides_.get(); }
+  [[nodiscard]] const SideBySide* sides() const { return sides_.get(); }
+
   /// What a frame does: the steps that are due after `elapsed` seconds, at least one of them, and no new one
   /// once `budget` seconds of work are spent.
   void advance(double elapsed, double budget);
@@ -48,6 +60,10 @@ class Session {
   [[nodiscard]] double speed() const;  ///< simulated seconds per second, as asked
   /// Why the run stopped; the simulation stands on its last good state until it starts anew.
   [[nodiscard]] const std::optional<Diverged>& diverged() const { return diverged_; }
+  /// Whether nothing can go on: with two sides, when both have diverged.
+  [[nodiscard]] bool stopped() const { return sides_ ? !sides_->runs() : diverged_.has_value(); }
+  /// Of the side that is behind [s].
+  [[nodiscard]] double time() const { return sides_ ? sides_->time() : simulation_->time(); }
   /// How often a scene was started: a new number means that particles and parameters may be others.
   [[nodiscard]] long starts() const { return starts_; }
 
@@ -62,8 +78,14 @@ class Session {
 
  private:
   void start(std::size_t scene, const Overrides& overrides, const std::string& integrator);
-  void play(std::unique_ptr<Simulation> simulation);
+  void play(std::shared_ptr<Simulation> simulation);
+  [[nodiscard]] Contrast contrast_for(const Simulation& left) const;
+  void choose(const Contrast& contrast);
+  void start_sides(const Contrast& contrast);
+  void set_both(const std::string& parameter, const std::string& value);
   bool step_once();
+  template <class Act>
+  void act_on_sides(const Act& act);
   bool reached_end() const;
 
   const Stage& stage_;
@@ -72,7 +94,7 @@ class Session {
   std::optional<double> until_;      ///< --until: pause at that simulated time [s]
   std::optional<long> steps_until_;  ///< --steps: pause after so many
   std::size_t scene_ = 0;
-  std::unique_ptr<Simulation> simulation_;
+  std::shared_ptr<Simulation> simulation_;
   std::unique_ptr<Parameters> defaults_;
   History history_;
   Pacer pacer_;
@@ -80,6 +102,8 @@ class Session {
   bool paused_ = false;
   int octaves_ = 0;
   std::optional<Diverged> diverged_;
+  std::unique_ptr<SideBySide> sides_;  ///< none: the simulation is alone
+  std::optional<Contrast> contrast_;   ///< that the user chose
   long starts_ = 0;
   Work work_;
 };

@@ -12,6 +12,24 @@ namespace {
 
 std::string on(const char* what, bool yes) { return fmt::format("{} {}", what, yes ? "on" : "off"); }
 
+/// "sides integrator=rk4", "right diverged step 12", and while both stand still "right step 12 t=...
+/// largest=...".
+void watch_sides(const Session& session, std::map<std::string, std::string>& now) {
+  const auto* sides = session.sides();
+  now["sides"] = "sides off";
+  now["right diverged"] = "right diverged no";
+  if (sides == nullptr) return;
+  const auto& [name, value] = sides->contrast();
+  const auto& right = sides->right();
+  const auto& simulation = *right.simulation;
+  now["sides"] = fmt::format("sides {}={}", name, value);
+  if (right.divergence) now["right diverged"] = fmt::format("right diverged step {}", right.divergence->step);
+  if (session.paused() || !sides->runs())
+    now["right step"] = fmt::format("right step {} t={} evaluations={} largest={:.17g}", simulation.steps(),
+                                    simulation.time(), simulation.system().force_evaluations,
+                                    sides->comparison().largest().largest);
+}
+
 std::map<std::string, std::string> lines(const WindowState& state, Point window) {
   const auto& session = state.session;
   const auto& simulation = session.simulation();
@@ -59,6 +77,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["diverged"] = session.diverged() ? fmt::format("diverged step {} particle {}", session.diverged()->step,
                                                      session.diverged()->particle)
                                        : std::string("diverged no");
+  watch_sides(session, now);
   return now;
 }
 
@@ -69,12 +88,12 @@ void Watch::look(WindowState& state, Point window, Trace& trace) {
   auto now = lines(state, window);
   auto& session = state.session;
   auto& simulation = session.simulation();
-  if (session.paused() || session.diverged()) {
+  if (session.paused() || session.stopped()) {
     now["step"] = fmt::format("step {} t={} energy={:.17g}", simulation.steps(), simulation.time(),
                               simulation.energy().total());
   } else {
     seen_.erase("step");  // to be told again when it stops, even at the same step
-    if (frames_++ % 20 == 0) now["time"] = fmt::format("time {:.6g}", simulation.time());
+    if (frames_++ % 20 == 0) now["time"] = fmt::format("time {:.6g}", session.time());
   }
   for (const auto& [about, line] : now) {
     auto& before = seen_[about];

@@ -36,7 +36,7 @@ std::string title(const Session& session) {
   if (constexpr std::string_view accented = "É"; stage.starts_with(accented))
     stage.replace(0, accented.size(), "E");
   return fmt::format("{} | {} | t = {:.3f} s | dt = {:.1e} s | x{:.4g}", stage, simulation.scene().name,
-                     simulation.time(), simulation.dt(), session.speed());
+                     session.time(), simulation.dt(), session.speed());
 }
 
 std::string beyond_limit(const StepLight& light, double dt) {
@@ -91,7 +91,7 @@ class Window {
   /// When nothing moves, ten frames per second do: a paused lecture should not heat the laptop. Not none at
   /// all, as nobody tells when another window uncovered ours.
   bool is_calm(double now, bool input) {
-    const bool moves = !state_.session.paused() && !state_.session.diverged();
+    const bool moves = !state_.session.paused() && !state_.session.stopped();
     if (moves || input || !state_.typing.empty() || state_.notice.seconds_left > 0) stirred_ = now;
     return now - stirred_ > 0.5 && now - painted_ < 0.1;
   }
@@ -104,15 +104,21 @@ class Window {
       if (state_.typing.empty() && !screen_.panel_wants_text()) press(state_, input);
     } else if ((input.kind != Kind::button_down && input.kind != Kind::wheel) ||
                !screen_.panel_wants_mouse() || came_to_scene(input)) {
-      if (!tool_.handle(state_, view_.view(), input)) mouse_.handle(state_, view_.view(), input);
+      if (!tool_.handle(state_, view_.view(), input)) {
+        const auto& view = view_.view_at(input.at);
+        auto* sides = state_.session.sides();
+        const bool right = sides != nullptr && &view != &view_.view();
+        mouse_.handle(state_, right ? *sides->right().simulation : state_.session.simulation(), view, input);
+      }
     }
   }
 
   /// Whether the mouse has come to the scene since the last frame: the panel, of that frame, may still think
   /// that it has it.
   bool came_to_scene(const Input& input) {
-    const bool covered = state_.menu_open || state_.help || state_.session.diverged();
-    return moved_ && !covered && view_.view().shows(input.at);
+    const bool covered =
+        state_.menu_open || state_.help || (state_.session.diverged() && !state_.session.sides());
+    return moved_ && !covered && view_.view_at(input.at).shows(input.at);
   }
 
   void look_at_scene() {
@@ -136,7 +142,7 @@ class Window {
     const auto light = step_light(session.simulation());
     if (std::exchange(light_, light.colour) != light.colour && light.colour == StepLight::Colour::red)
       state_.notice = {beyond_limit(light, session.simulation().dt()), true, 10};
-    if (session.diverged()) state_.notice = {};  // it says all that, and more
+    if (session.diverged() && !session.sides()) state_.notice = {};  // it says all that, and more
   }
 
   /// Takes over the scale and the theme, where the user has chosen others.
@@ -154,6 +160,7 @@ class Window {
     screen_.begin_frame(ink::sheet);
     if (scene.extent.x > 1 && scene.extent.y > 1) view_.paint(screen_.canvas(), state_, scene);
     controls_.name("domain", view_.domain());
+    if (view_.beside()) controls_.name("right_half", view_.right_half());
     state_.menu_open = false;
     if (state_.panel) panel_.lay_out(state_, panel);
     state_.close_menu = false;
@@ -162,7 +169,8 @@ class Window {
     lay_out_notice(state_, scene, elapsed);  // low, over the plots: water lies at the bottom of its scene
     lay_out_help(state_, scene);
     screen_.end_frame();
-    state_.attempt([&] { state_.recorder.shoot(state_.session, view_.picture(), view_.curves()); });
+    state_.attempt(
+        [&] { state_.recorder.shoot(state_.session, view_.picture(), view_.beside(), view_.curves()); });
     if (std::exchange(state_.picture_wanted, false))
       state_.attempt([&] {
         const auto file = view_.save(state_.session);

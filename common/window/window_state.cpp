@@ -52,6 +52,18 @@ void WindowState::write_grid() {
   });
 }
 
+void WindowState::toggle_sides() {
+  attempt([&] {
+    session.toggle_side_by_side();
+    const auto& w = words().window.sides;
+    const auto* sides = session.sides();
+    notice = {sides != nullptr ? say(w.started, fmt::arg("left", sides->left().text),
+                                     fmt::arg("right", sides->right().text))
+                               : std::string(w.ended),
+              false, notice_seconds};
+  });
+}
+
 void WindowState::toggle_video() {
   attempt([&] {
     if (!recorder.recording()) {

@@ -51,6 +51,7 @@ struct WindowState {
   void restore();       ///< the state saved last
   void write_table();   ///< of all particles as they stand, and says where
   void write_grid();    ///< the same for ParaView
+  void toggle_sides();  ///< two sides, which start anew, or the left one alone
   void toggle_video();  ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.

@@ -405,6 +405,34 @@ TEST_CASE("when one side diverges the other goes on, and that is said", "[runner
   CHECK(rows.last("t") == 1.5);
 }
 
+TEST_CASE("two resolutions are compared by their errors, and it is said that places are not", "[runner]") {
+  const Scratch scratch;
+  require_done(run(scratch, compare,
+                   {"stage4/dam_break:spacing=0.125", "stage4/dam_break:spacing=0.2", "--until", "0.3",
+                    "--every", "0.05", "--out", "c"}));
+  const auto result = json(scratch / "c" / "compare.json");
+  CHECK(result["largest_difference"].is_null());
+  CHECK_THAT(result["warnings"][0].get<std::string>(), ContainsSubstring("same particles, 128 and 50"));
+  const auto rows = table(scratch / "c" / "compare.csv");
+  CHECK(rows.rows.size() == 7);
+  CHECK(std::isnan(rows.last("largest_difference")));
+  CHECK(rows.last("left_error") > 0);
+  CHECK(rows.last("right_error") > 0);
+  CHECK(rows.last("right_total_energy") > 0);
+}
+
+TEST_CASE("particles that enter on one side alone end the comparison of places, not that of errors",
+          "[runner]") {
+  const Scratch scratch;
+  require_done(run(scratch, compare,
+                   {"stage5/channel:spacing=0.001", "stage5/channel:spacing=0.001,nu=0.002", "--until", "0.2",
+                    "--every", "0.02", "--out", "c"}));
+  const auto rows = table(scratch / "c" / "compare.csv");
+  CHECK(rows.at(1, "largest_difference") > 0);
+  CHECK(std::isnan(rows.last("largest_difference")));
+  CHECK(rows.last("t") == 0.2);
+}
+
 TEST_CASE("probes are columns of the series, and a run is repeated with them from its run.json", "[runner]") {
   const Scratch scratch;
   const auto ended = run(scratch, stage5,

@@ -1,0 +1,138 @@
+#include "common/runner/compare_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/runner/ticks.hpp"
+#include "common/runner/units.hpp"
+#include "common/words.hpp"
+
+namespace clapotis {
+namespace {
+
+using Value = double (*)(const Sample&);
+
+Curve curve_of(const std::vector<Sample>& samples, std::string_view label, Colour colour, Value value) {
+  Curve curve;
+  curve.label = label;
+  curve.colour = colour;
+  for (const auto& sample : samples) {
+    curve.xs.push_back(sample.time);
+    curve.ys.push_back(value(sample));
+  }
+  return curve;
+}
+
+Plot over_time(std::string title, std::string y_label) {
+  Plot plot;
+  plot.title = std::move(title);
+  plot.x_label = "t [s]";
+  plot.y_label = std::move(y_label);
+  return plot;
+}
+
+/// What both sides have noted.
+struct Samples {
+  std::vector<Sample> left, right;
+};
+
+Plot energy_plot(const Samples& samples, const Simulation& simulation) {
+  const auto& w = words();
+  auto plot = over_time(std::string(w.plot_energies), "E [" + printed(short_energy_unit(simulation)) + "]");
+  const Value mechanical = [](const Sample& s) { return s.energy.mechanical(); };
+  const Value total = [](const Sample& s) { return s.energy.total(); };
+  plot.curves = {curve_of(samples.left, w.compare_left, left_colour(), mechanical),
+                 curve_of(samples.right, w.compare_right, right_colour(), mechanical),
+                 curve_of(samples.left, w.total, left_colour(), total),
+                 curve_of(samples.right, "", right_colour(), total)};
+  plot.curves[2].dashed = plot.curves[3].dashed = true;
+  return plot;
+}
+
+/// Of each side that has, or has had, a reference.
+std::optional<Plot> error_plot(const Samples& samples, const Simulation& left, const Simulation& right) {
+  const auto& reference = left.setup().reference ? left.setup().reference : right.setup().reference;
+  if (!reference) return std::nullopt;
+  auto plot = over_time(say(words().plot_error, fmt::arg("reference", called(reference->name))),
+                        reference->unit.empty() ? "" : fmt::format("[{}]", printed(reference->unit)));
+  const Value error = [](const Sample& s) { return s.error; };
+  plot.curves = {curve_of(samples.left, words().compare_left, left_colour(), error),
+                 curve_of(samples.right, words().compare_right, right_colour(), error)};
+  plot.log_y = true;
+  return plot;
+}
+
+Plot distance_plot(const std::vector<Difference>& distances, const Simulation& simulation) {
+  const auto& w = words();
+  auto plot = over_time(std::string(w.compare_plot),
+                        std::string(w.compare_distance) + " [" + simulation.scene().length_unit + "]");
+  Curve largest, rms;
+  largest.label = w.compare_curve_largest;
+  largest.colour = ink::palette().curves[2];
+  rms.label = w.compare_curve_rms;
+  rms.colour = ink::palette().curves[3];
+  for (const auto& distance : distances) {
+    for (auto* curve : {&largest, &rms}) curve->xs.push_back(distance.time);
+    largest.ys.push_back(distance.largest);
+    rms.ys.push_back(distance.rms);
+  }
+  plot.curves.push_back(std::move(largest));
+  if (simulation.particles().size() > 1) plot.curves.push_back(std::move(rms));  // of one they are the same
+  plot.log_y = true;
+  return plot;
+}
+
+/// "+2.4 %", or "+2.4e-06" where that is shorter.
+std::string drift_text(double drift) {
+  return std::abs(drift) >= 1e-3 ? fmt::format("{:+.2g} %", 100 * drift) : fmt::format("{:+.1e}", drift);
+}
+
+std::string cost_line(const Side& side) {
+  const auto cost = side.cost();
+  return say(words().compare_cost, fmt::arg("cost", std::isfinite(cost) ? two_digits(cost) : "…"),
+             fmt::arg("evaluations", grouped(side.simulation->system().force_evaluations)),
+             fmt::arg("drift", drift_text(side.energy_drift())));
+}
+
+}  // namespace
+
+void Distances::add(const Comparison& comparison) {
+  if (comparison.difference()) kept_.add(*comparison.difference());
+}
+
+std::vector<Plot> compare_plots(const Distances& distances, const Side& left, const Side& right) {
+  const Samples samples{left.history.samples(), right.history.samples()};
+  std::vector<Plot> plots{energy_plot(samples, *left.simulation)};
+  if (auto errors = error_plot(samples, *left.simulation, *right.simulation))
+    plots.push_back(std::move(*errors));
+  if (!distances.kept().empty()) plots.push_back(distance_plot(distances.kept(), *left.simulation));
+  return plots;
+}
+
+Picture describe_side(Side& side, const std::string& what, Colour mark, const Viewpoint& viewpoint) {
+  auto picture = describe(side.stage_title, *side.simulation, viewpoint);
+  picture.title = what;
+  picture.subtitle = cost_line(side);
+  picture.legend = false;
+  picture.mark = mark;
+  if (side.divergence) picture.alarm = side.divergence->what();
+  return picture;
+}
+
+Beside beside(const Side& left, const Side& right, Picture right_picture, double time) {
+  const auto name = [](const Side& side) { return side.stage_title + " - " + side.simulation->scene().name; };
+  auto title = name(left);
+  if (name(right) != title) title += " | " + name(right);
+  const auto of_both = [&](auto text) {
+    const std::string one = text(*left.simulation), other = text(*right.simulation);
+    return one == other ? one : one + " | " + other;
+  };
+  return {.title = std::move(title),
+          .subtitle =
+              fmt::format("t = {:.3f} s   dt = {} s   N = {}", time, of_both(step_text),
+                          of_both([](const Simulation& s) { return std::to_string(s.particles().size()); })),
+          .right = std::move(right_picture)};
+}
+
+}  // namespace clapotis

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "common/window/controls.hpp"
+#include "common/window/window_state.hpp"
+
+namespace clapotis {
+
+/// In the panel: whether the scene runs twice, what the two sides differ in, and what the right one has.
+class SidesSection {
+ public:
+  void lay_out(WindowState& state, Controls& controls);
+
+ private:
+  void other_value(WindowState& state, Controls& controls, float width);
+  void type(WindowState& state, Controls& controls, float width);
+
+  std::array<char, 64> text_{};  ///< what is being typed
+  bool focus_ = false;           ///< the text field has just appeared
+};
+
+}  // namespace clapotis
