@@ -139,11 +139,14 @@ concept ReadsVelocity = requires {
 };
 
 template <class L>
+concept ActsOnParticles =
+    ActsOnBody<L> || ActsAsField<L> || ActsOnPair<L> || FluidLaw<L> || ActsImplicitly<L>;
+
+template <class L>
 concept Law = requires(Parameters& p) {
   { L::from(p) } -> std::same_as<L>;
   std::string_view{L::name};
 }
-&&(ActsOnBody<L> || ActsAsField<L> || ActsOnPair<L> || FluidLaw<L> || ActsImplicitly<L> || Settles<L> ||
-   LimitsStep<L>);
+&&(ActsOnParticles<L> || Settles<L> || LimitsStep<L>);
 
 }  // namespace clapotis

@@ -18,6 +18,7 @@ class AllPairs {
 
   [[nodiscard]] Vector cell() const { return {0, 0}; }  ///< no cells
   [[nodiscard]] Vector origin() const { return {0, 0}; }
+  [[nodiscard]] static Corners visited(Vector /*r*/) { return {}; }
   [[nodiscard]] std::size_t bytes() const { return 0; }
 
  private:

@@ -127,6 +127,14 @@ void CellGrid::build(const Vectors& position, double support, int threads) {
   });
 }
 
+Corners CellGrid::visited(Vector r) const {
+  const auto along = [this](double x) { return static_cast<double>(place(x, inverse_width_, columns_)); };
+  const double x = r.x - origin_.x, lines = static_cast<double>(lines_);
+  const auto line = static_cast<double>(place(r.y - origin_.y, inverse_height_, lines_));
+  return {origin_ + Vector{along(x - reach_) * width_, std::max(line - 1, 0.0) * height_},
+          origin_ + Vector{(along(x + reach_) + 1) * width_, std::min(line + 2, lines) * height_}};
+}
+
 std::size_t CellGrid::bytes() const {
   return (starts_.capacity() + counts_.capacity() + cell_of_.capacity() + order_.capacity()) *
          sizeof(std::int32_t);

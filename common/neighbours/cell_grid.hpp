@@ -38,6 +38,8 @@ class CellGrid {
 
   [[nodiscard]] Vector cell() const { return {width_, height_}; }  ///< sides of a cell [L]
   [[nodiscard]] Vector origin() const { return origin_; }          ///< lower left corner [L]
+  /// The cells that `candidates` of a particle at r are in.
+  [[nodiscard]] Corners visited(Vector r) const;
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -22,6 +22,10 @@ Vec(T, T) -> Vec<T>;
 
 using Vector = Vec<double>;
 
+struct Corners {
+  Vector low{0, 0}, high{0, 0};  ///< lower left, upper right
+};
+
 template <class T>
 T dot(const Vec<T>& a, const Vec<T>& b) {
   return a.x * b.x + a.y * b.y;

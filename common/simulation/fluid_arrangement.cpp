@@ -25,8 +25,12 @@ void FluidArrangement::sort(const Particles& particles) {
 }
 
 Neighbourhood FluidArrangement::neighbourhood(const Vector& r, Index i) const {
-  Neighbourhood near{
-      .support = support_, .cell = grid.cell(), .origin = grid.origin(), .candidates = {}, .neighbours = {}};
+  Neighbourhood near{.support = support_,
+                     .cell = grid.cell(),
+                     .origin = grid.origin(),
+                     .visited = grid.visited(r),
+                     .candidates = {},
+                     .neighbours = {}};
   grid.candidates(r, [&](Index first, Index last) {
     for (Index slot = first; slot < last; ++slot) {
       const Index j = id(slot);
@@ -36,6 +40,23 @@ Neighbourhood FluidArrangement::neighbourhood(const Vector& r, Index i) const {
     }
   });
   return near;
+}
+
+Index FluidArrangement::slot_of(Index particle) const {
+  Index slot = 0;
+  while (slot + 1 < slots() && grid.id(slot) != particle) ++slot;
+  return slot;
+}
+
+void add_seen(KernelAround& seen, const Vector& r, const CellGrid& grid, const FluidColumns& columns,
+              bool wall) {
+  grid.candidates(r, [&](Index first, Index last) {
+    for (Index slot = first; slot < last; ++slot) {
+      const Vector separation = r - columns.position(slot);
+      if (norm(separation) < seen.support)
+        seen.neighbours.push_back({.separation = separation, .volume = columns.volume(slot), .wall = wall});
+    }
+  });
 }
 
 PairCount FluidArrangement::count_pairs() const {

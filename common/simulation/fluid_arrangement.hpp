@@ -45,6 +45,8 @@ class FluidArrangement {
     const Index k = grid.id(slot);
     return k < count_ ? k : images_[static_cast<std::size_t>(k - count_)];
   }
+  /// Where a particle is; it is there, since `build` had it.
+  [[nodiscard]] Index slot_of(Index particle) const;
   [[nodiscard]] const Period& period() const { return period_; }
 
   [[nodiscard]] Neighbourhood neighbourhood(const Vector& r, Index i) const;
@@ -63,5 +65,9 @@ class FluidArrangement {
   Vectors places_;                    ///< of particles and images, where the plane is periodic
   std::vector<std::int32_t> images_;  ///< whose image each is
 };
+
+/// Adds to what is seen from r the particles in `columns` that are within the support.
+void add_seen(KernelAround& seen, const Vector& r, const CellGrid& grid, const FluidColumns& columns,
+              bool wall);
 
 }  // namespace clapotis

@@ -52,6 +52,8 @@ class FusedModel final : public Model {
 
   [[nodiscard]] std::vector<double> law_seconds(const System& s, int repetitions) override;
   [[nodiscard]] std::optional<Neighbourhood> neighbourhood(const Particles& particles, Index i) override;
+  [[nodiscard]] std::vector<ActingLaw> accelerations_by_law(const System& s, Index i) override;
+  [[nodiscard]] double push_at(double r, Index i) override;
   [[nodiscard]] PairCount count_pairs(const Particles& particles) override;
   [[nodiscard]] bool has_pairs() const override { return pairs; }
   [[nodiscard]] std::size_t bytes() const override {
@@ -171,6 +173,7 @@ std::optional<Neighbourhood> FusedModel<Search, Mass, Laws...>::neighbourhood(co
     Neighbourhood near{.support = support(),
                        .cell = sweep_.search.cell(),
                        .origin = sweep_.search.origin(),
+                       .visited = sweep_.search.visited(row(particles.position, i)),
                        .candidates = {},
                        .neighbours = {}};
     const Vector r = row(particles.position, i);
@@ -184,6 +187,33 @@ std::optional<Neighbourhood> FusedModel<Search, Mass, Laws...>::neighbourhood(co
     });
     return near;
   }
+}
+
+template <class Search, class Mass, Law... Laws>
+std::vector<ActingLaw> FusedModel<Search, Mass, Laws...>::accelerations_by_law(const System& s, Index i) {
+  const auto p = view_of<Mass>(s.particles);
+  return laws_.one_by_one([&]<class L>() {
+    Vector a = laws_.template body<L>(p, i, s.time);
+    if constexpr (ActsOnPair<L>) {
+      std::atomic<long long> uncounted = 0;
+      a += by_pairs<L>(sweep_.slot_of(i), uncounted);
+    }
+    return a;
+  });
+}
+
+template <class Search, class Mass, Law... Laws>
+double FusedModel<Search, Mass, Laws...>::push_at(double r, Index i) {
+  double push = 0;
+  if constexpr (pairs) {
+    const Slot slot = sweep_.slot_of(i);
+    const Encounter beside{{Pack(r), Pack(0.0)}, Pack(r), {Pack(1.0), Pack(0.0)}};
+    laws_.each([&](const auto& law) {  // its own mass and velocity stand for the other's
+      if constexpr (requires { law.support(); })
+        if (r < law.support()) push += law.pair(sweep_.view(), slot, Run{slot}, beside).x[0];
+    });
+  }
+  return push;
 }
 
 template <class Search, class Mass, Law... Laws>

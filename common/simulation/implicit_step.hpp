@@ -69,6 +69,15 @@ class FrictionSweep {
     });
   }
 
+  /// dt/m F(v) of the particle in `slot` alone, with the velocities that the fluid's columns hold.
+  [[nodiscard]] Vector change_of(Index slot) const {
+    if (rubs_walls_) {
+      for_each(walls_.size(), threads_, [&](Index wall) { mirror(wall, true); });
+      walls_.copy_to_images();
+    }
+    return dt_over_mass_ * force_on(slot);
+  }
+
  private:
   /// V_i sum_j V_j [stress d + friction v_ij] W'/r, walls included.
   [[gnu::flatten]] Vector force_on(Index slot) const {

@@ -100,6 +100,16 @@ class LawSet {
     });
     return all;
   }
+  /// What each law that acts on particles gives one of them: `acceleration.template operator()<L>()`.
+  [[nodiscard]] static std::vector<ActingLaw> one_by_one(const auto& acceleration) {
+    std::vector<ActingLaw> all;
+    const auto add = [&]<class L>(std::type_identity<L>) {
+      if constexpr (ActsOnParticles<L>)
+        all.push_back({.name = L::name, .acceleration = acceleration.template operator()<L>()});
+    };
+    (add(std::type_identity<Laws>{}), ...);
+    return all;
+  }
   [[nodiscard]] static std::vector<std::string> names() { return {std::string(Laws::name)...}; }
   [[nodiscard]] std::optional<Walls> walls() const {
     std::optional<Walls> found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,8 +46,28 @@ struct Neighbourhood {
   double support = 0;             ///< beyond this distance nothing acts [L]
   Vector cell{0, 0};              ///< sides of a cell; 0 without a grid [L]
   Vector origin{0, 0};            ///< lower left corner of the grid
+  Corners visited;                ///< the cells that were looked through; empty without a grid
   std::vector<Index> candidates;  ///< tested
   std::vector<Index> neighbours;  ///< within the support
+};
+
+/// A law that acts on particles, and what it does to one of them.
+struct ActingLaw {
+  std::string_view name;
+  Vector acceleration;  ///< [L/s^2]
+};
+
+/// A smoothing kernel at work around one particle, for the eye.
+struct KernelAround {
+  struct Neighbour {
+    Vector separation;  ///< r_i - r_j, or of the image that is near [L]
+    double volume;      ///< V_j, per unit of depth [L^2]
+    bool wall;          ///< whether it is a particle of a wall
+  };
+  double h = 0, support = 0;                 ///< smoothing length, and where W ends [L]
+  std::function<double(double)> value = {};  ///< W(r) [1/L^2]
+  std::function<double(double)> slope = {};  ///< W'(r) [1/L^3]
+  std::vector<Neighbour> neighbours = {};    ///< within the support, the particle itself included
 };
 
 struct PairCount {
@@ -97,6 +118,20 @@ class Model {
   [[nodiscard]] virtual std::vector<double> law_seconds(const System& system, int repetitions) = 0;
   /// Who was tested for particle i, and who is near it; empty where no law acts between pairs.
   [[nodiscard]] virtual std::optional<Neighbourhood> neighbourhood(const Particles& particles, Index i) = 0;
+
+  // Three looks inside particle i. They are of the state of the last `evaluate` of the whole System, as it is
+  // within Simulation::look, and cost a look at its neighbours.
+
+  /// What each law that acts on particles gives it, in the order of `laws()`. Their sum is its acceleration,
+  /// but for the rounding of sums in another order, and for an implicit law: that one counts with the
+  /// velocities as they stand, which are those it made at the end of the last step. Nothing acts on a
+  /// particle that open ends hold.
+  [[nodiscard]] virtual std::vector<ActingLaw> accelerations_by_law(const System& system, Index i) = 0;
+  /// The kernel and all that it weighs; none in a scene without one.
+  [[nodiscard]] virtual std::optional<KernelAround> kernel_around(Index /*i*/) { return std::nullopt; }
+  /// What another particle like it, at a distance r, would do to it; positive pushes apart [L/s^2].
+  [[nodiscard]] virtual double push_at(double /*r*/, Index /*i*/) { return 0; }
+
   [[nodiscard]] virtual PairCount count_pairs(const Particles& particles) = 0;
 
   /// Memory besides the particles' columns [byte].

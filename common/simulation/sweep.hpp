@@ -38,6 +38,12 @@ class Sweep {
 
   [[nodiscard]] const auto& view() const { return view_; }
   [[nodiscard]] Vector position(Slot i) const { return {x_(i), y_(i)}; }
+  /// Where a particle is; it is there, since `build` had it.
+  [[nodiscard]] Slot slot_of(Index particle) const {
+    Slot slot = 0;
+    while (slot + 1 < n_ && search.id(slot) != particle) ++slot;
+    return slot;
+  }
 
   /// Calls meet(j, ij) for the packs of particles that may act on the one in `slot`. Lanes that hold itself,
   /// or a particle beyond the support, are given a distance of twice the support, where no law acts; their
