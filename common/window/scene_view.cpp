@@ -113,7 +113,7 @@ void SceneView::describe_sides(WindowState& state, SideBySide& sides) {
   picture_ = describe_side(sides.left(), printed_contrast(left, {what.name, value_of(left, what.name)}),
                            left_colour(), state.sight.viewpoint);
   auto right =
-      describe_side(sides.right(), printed_contrast(left, what), right_colour, state.sight.viewpoint);
+      describe_side(sides.right(), printed_contrast(left, what), right_colour(), state.sight.viewpoint);
   auto& colours = picture_.colours;
   if (!sides.left().runs()) std::tie(colours.lo, colours.hi) = std::pair(right.colours.lo, right.colours.hi);
   if (sides.left().runs() && sides.right().runs()) {
