@@ -67,9 +67,15 @@ constexpr std::array names_of_limits{Name{"acoustic", "acoustique"},    Name{"co
                                      Name{"viscous", "visqueuse"},      Name{"capillary", "capillaire"},
                                      Name{"profile", "d'établissement"}};
 
-constexpr std::array names_of_kinds{Name{"scene", "de scène"},       Name{"preset", "de variante"},
-                                    Name{"stage", "d'étape"},        Name{"integrator", "de schéma"},
-                                    Name{"quantity", "de grandeur"}, Name{"list", "de liste"}};
+constexpr std::array names_of_kinds{Name{"scene", "de scène"},
+                                    Name{"preset", "de variante"},
+                                    Name{"stage", "d'étape"},
+                                    Name{"integrator", "de schéma"},
+                                    Name{"quantity", "de grandeur"},
+                                    Name{"list", "de liste"},
+                                    Name{"parameter", "de paramètre"},
+                                    Name{"theme", "de thème"},
+                                    Name{"neighbour_search", "neighbour search", "de recherche des voisins"}};
 
 template <class Table>
 std::string_view look_up(const Table& table, std::string_view name) {

@@ -81,6 +81,8 @@ constexpr Words english{
     .no_seed = "scene {scene} leaves nothing to chance: --seed has no meaning here",
     .environment_ignored = "{variable} is ignored: scene {scene} has no such parameter{hint}",
     .needs_headless = "{option} is for a run without a window: add --headless",
+    .needs_window = "{option} is for the window; without one, ./lab compare runs two scenes side by side",
+    .beside_without_equals = "--beside {text} lacks its value: write --beside NAME=VALUE",
     .picture_extension = "--picture {file}: the name must end in .png, .svg or .pdf",
     .config_unknown_key = "{file}: there is no key {key}{hint}",
     .config_wrong_kind = "{file}: {key} cannot be {value}",
@@ -246,6 +248,9 @@ constexpr Words english{
     .help_json = "print run.json (or the list) for a program to read",
     .help_quiet = "print nothing but errors",
     .help_paused = "open the window at rest",
+    .help_beside =
+        "open the window with the scene twice, side by side; the right side has this value, for example "
+        "integrator=rk4",
     .help_scale = "size of the window's letters, 0.25 to 8",
     .help_theme = "colours of window, pictures and films: light or dark",
     .help_lang = "en or fr; otherwise as LC_ALL, LC_MESSAGES or LANG says",

@@ -26,9 +26,9 @@ struct Words {
       warn_coincident_fluid, warn_folded;
   // runner: what a command line or a file gives and cannot be used
   Word unknown_option, option_is_parameter, option_needs_value, option_takes_no_value, one_scene_at_a_time,
-      set_without_equals, empty_value, no_seed, environment_ignored, needs_headless, picture_extension,
-      config_unknown_key, config_wrong_kind, config_no_value, config_key_twice, config_not_json,
-      config_other_stage, config_resumed, video_extension, option_without;
+      set_without_equals, empty_value, no_seed, environment_ignored, needs_headless, needs_window,
+      beside_without_equals, picture_extension, config_unknown_key, config_wrong_kind, config_no_value,
+      config_key_twice, config_not_json, config_other_stage, config_resumed, video_extension, option_without;
   // runner: saved states
   Word state_no_state, state_other_format, state_cut_short, state_damaged, state_other_version,
       state_other_width, state_other_build, state_other_scene, state_contradiction, state_at_end,
@@ -54,8 +54,8 @@ struct Words {
   Word help_scene, help_headless, help_until, help_steps, help_set, help_config, help_print_config,
       help_preset, help_colour_by, help_integrator, help_seed, help_threads, help_out, help_force, help_every,
       help_frames, help_vtk, help_picture, help_video, help_video_every, help_save, help_resume, help_list,
-      help_json, help_quiet, help_paused, help_scale, help_theme, help_lang, help_version, help_help,
-      help_epilogue, help_usage, help_arguments;
+      help_json, help_quiet, help_paused, help_beside, help_scale, help_theme, help_lang, help_version,
+      help_help, help_epilogue, help_usage, help_arguments;
 
   // window: its own table, so that its many short words need no prefix
   struct Window {

@@ -86,6 +86,8 @@ inline constexpr Words french{
     .no_seed = "la scène {scene} ne laisse rien au hasard : --seed n'a pas de sens ici",
     .environment_ignored = "{variable} est ignorée : la scène {scene} n'a pas ce paramètre{hint}",
     .needs_headless = "{option} est pour un calcul sans fenêtre : ajoutez --headless",
+    .needs_window = "{option} est pour la fenêtre ; sans elle, ./lab compare calcule deux scènes côte à côte",
+    .beside_without_equals = "--beside {text} n'a pas de valeur : écrivez --beside NOM=VALEUR",
     .picture_extension = "--picture {file} : le nom doit finir par .png, .svg ou .pdf",
     .config_unknown_key = "{file} : il n'y a pas de clé {key}{hint}",
     .config_wrong_kind = "{file} : {key} ne peut pas être {value}",
@@ -259,6 +261,9 @@ inline constexpr Words french{
     .help_json = "écrire run.json (ou la liste), pour un programme",
     .help_quiet = "n'écrire que les erreurs",
     .help_paused = "ouvrir la fenêtre à l'arrêt",
+    .help_beside =
+        "ouvrir la fenêtre avec la scène deux fois, côte à côte ; le côté droit a cette valeur, par exemple "
+        "integrator=rk4",
     .help_scale = "taille des lettres de la fenêtre, 0.25 à 8",
     .help_theme = "couleurs de la fenêtre, des images et des films : light (clair) ou dark (sombre)",
     .help_lang = "en ou fr ; sinon selon LC_ALL, LC_MESSAGES ou LANG",

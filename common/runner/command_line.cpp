@@ -35,6 +35,7 @@ constexpr std::array settings{
     Setting{"--save", "FILE", &Words::help_save},
     Setting{"--resume", "FILE", &Words::help_resume},
     Setting{"--list", "KIND", &Words::help_list},
+    Setting{"--beside", "NAME=VALUE", &Words::help_beside},
     Setting{"--scale", "X", &Words::help_scale},
     Setting{"--theme", "NAME", &Words::help_theme},
     Setting{"--lang", "en|fr", &Words::help_lang},

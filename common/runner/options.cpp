@@ -110,13 +110,17 @@ void apply_preset(Options& options, const Stage& stage, const std::string& name)
     options.parameters.insert_or_assign(parameter, value);
 }
 
+/// NAME=VALUE, cut in two.
+std::pair<std::string, std::string> assignment_of(std::string_view sentence, const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) refuse(sentence, fmt::arg("text", text));
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 void apply_set(Options& options, const std::vector<std::string>& assignments) {
   for (const auto& assignment : assignments) {
-    const auto equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0)
-      refuse(words().set_without_equals, fmt::arg("text", assignment));
-    options.parameters.insert_or_assign(assignment.substr(0, equals),
-                                        Override{assignment.substr(equals + 1), Origin::flag});
+    auto [name, value] = assignment_of(words().set_without_equals, assignment);
+    options.parameters.insert_or_assign(std::move(name), Override{std::move(value), Origin::flag});
   }
 }
 
@@ -212,7 +216,10 @@ void apply_files(Options& options, const Arguments& arguments) {
 
 /// What leaves files makes no sense beside a window, and would be silently lost there.
 void refuse_without_headless(const Options& options, const Arguments& arguments) {
-  if (options.headless) return;
+  if (options.headless) {
+    if (options.beside) refuse(words().needs_window, fmt::arg("option", "--beside"));
+    return;
+  }
   for (const auto* name : {"out", "every", "frames", "vtk", "picture", "video", "video-every", "save"})
     if (arguments.settings.contains(name))
       refuse(words().needs_headless, fmt::arg("option", fmt::format("--{}", name)));
@@ -240,6 +247,8 @@ Options understand(const Stage& stage, const Arguments& arguments) {
   apply_set(options, arguments.set);
   if (const auto quantity = given.find("colour-by"); quantity != given.end())
     options.colour_by = quantity->second;
+  if (const auto beside = given.find("beside"); beside != given.end())
+    options.beside = assignment_of(words().beside_without_equals, beside->second);
   if (given.contains("seed")) refuse_seed_without_chance(options, stage);
   if (!options.until && !options.steps) options.until = {default_until, Origin::law};
   apply_files(options, arguments);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/runner/ink.hpp"
@@ -41,6 +42,8 @@ struct Options {
   std::optional<std::filesystem::path> save;     ///< where the state goes at the end
   std::shared_ptr<const SavedState> resume;      ///< what to go on from
 
+  /// NAME and VALUE: what the right side has in a window of two.
+  std::optional<std::pair<std::string, std::string>> beside;
   ink::Theme theme = ink::Theme::light;
   std::optional<std::string> colour_by;  ///< what pictures show first; the scene's choice otherwise
 

@@ -23,6 +23,7 @@ Session::Session(const Stage& stage, const Options& options)
   if (options.until && options.until->origin != Origin::law) until_ = options.until->value;
   if (options.steps) steps_until_ = options.steps->value;
   play(start_simulation(stage, options));
+  if (options.beside) put_beside(options.beside->first, options.beside->second);
 }
 
 void Session::start(std::size_t scene, const Overrides& overrides, const std::string& integrator) {
@@ -202,6 +203,16 @@ void Session::toggle_side_by_side() {
 }
 
 void Session::differ_in(const std::string& contrast) { choose(contrast_in(*simulation_, contrast)); }
+
+void Session::put_beside(const std::string& contrast, const std::string& value) {
+  const auto known = contrasts(*simulation_);
+  if (std::find(known.begin(), known.end(), contrast) == known.end())
+    throw BadInput(unknown_name("parameter", contrast, known));
+  const auto values = contrast_values(*simulation_, contrast);
+  if (!values.empty() && std::find(values.begin(), values.end(), value) == values.end())
+    throw BadInput(unknown_name(contrast, value, values));
+  choose({contrast, value});
+}
 
 void Session::choose_other(const std::string& value) {
   if (sides_) choose({sides_->contrast().name, value});

@@ -37,6 +37,8 @@ class Session {
   // for both sides, except where they differ; each of these starts both anew.
   void toggle_side_by_side();                   ///< off: the left side goes on alone
   void differ_in(const std::string& contrast);  ///< an integrator, a rival, a parameter
+  /// Both at once: from --beside. Throws BadInput for what the scene cannot differ in.
+  void put_beside(const std::string& contrast, const std::string& value);
   void choose_other(const std::string& value);  ///< the right side's
   /// Acts on the simulation, and on the right side where there is one: what a hand does.
   void act_on_both(const std::function<void(Simulation&)>& act);
