@@ -41,8 +41,7 @@ struct Words {
       summary_warning, stopped_done, stopped_interrupted, stopped_diverged;
   // runner: tables, plots, pictures
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
-      column_meaning, plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total,
-      chosen_particle;
+      column_meaning, plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total;
   // runner: comparison
   std::string_view compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
       compare_counts, compare_other_start, compare_title, compare_side_line, compare_left, compare_right,
@@ -64,17 +63,28 @@ struct Words {
         real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
         pairs_tested, frames, frame_cost;
     // what is painted over the scene
-    std::string_view particle, position, velocity, speed_of_particle, acceleration, tested, near,
-        velocity_scale, diverged, try_another;
+    std::string_view particle, position, velocity, speed_of_particle, acceleration, near, velocity_scale,
+        diverged, try_another;
     // notices
     std::string_view picture_saved, state_saved, state_restored, nothing_saved;
     std::string_view mouse, tool_probe, tool_pull, tool_push, tool_add, tool_erase, tool_obstacle, tool_grab;
     // the help
     std::string_view help_title, help_close, key_click, key_wheel, key_middle_drag, key_control_click,
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
-        does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video,
-        does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right,
-        does_right;
+        does_neighbour, does_kernel, does_vectors, does_plots, does_panel, does_view, does_save, does_restore,
+        does_video, does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type,
+        key_right, does_right;
+    // inside a particle: its table, and the names of the laws that act on it
+    struct Inside {
+      std::string_view held, mass, sum, in_walls, in_vain, gravity, air_drag, contact_spring, walls, pressure,
+          viscosity, artificial_viscosity, laminar_viscosity, newtonian_viscosity, implicit_viscosity,
+          surface_tension, tensile_correction, hand, driving_force, tank_motion;
+    } inside;
+    // the kernel at work
+    struct Kernel {
+      std::string_view label, contact_label, none, nobody, weight, sum, slope, gradient, fluid, wall, contact,
+          neighbours, density, own_density;
+    } kernel;
   } window;
 };
 

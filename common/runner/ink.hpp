@@ -19,6 +19,8 @@ inline constexpr Colour grid{0.78F, 0.80F, 0.83F};
 inline constexpr Colour plain_disc{0.16F, 0.42F, 0.69F};
 inline constexpr Colour ghost{0.80F, 0.20F, 0.10F};
 inline constexpr Colour chosen{0.90F, 0.45F, 0.00F};
+inline constexpr Colour in_vain{0.99F, 0.80F, 0.58F};        ///< around what was tested and is out of reach
+inline constexpr Colour visited{0.99F, 0.80F, 0.58F, 0.5F};  ///< cells that were looked through
 
 inline constexpr double title = 28, words = 20, numbers = 18;
 inline constexpr double margin = 20;

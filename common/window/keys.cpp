@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "common/window/kernel_view.hpp"
+
 namespace clapotis {
 namespace {
 
@@ -31,7 +33,7 @@ void select(WindowState& state, int direction) {
   state.sight.select_next(state.session.simulation(), direction);
 }
 
-constexpr std::array<Shortcut, 25> table{{
+constexpr std::array<Shortcut, 26> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
@@ -46,6 +48,7 @@ constexpr std::array<Shortcut, 25> table{{
      [](WindowState& s, bool) { s.sight.colour_range.locked = !s.sight.colour_range.locked; }},
     {Key::g, 0, "G", &W::does_grid,
      [](WindowState& s, bool) { s.sight.viewpoint.grid = !s.sight.viewpoint.grid; }},
+    {Key::k, 0, "K", &W::does_kernel, [](WindowState& s, bool) { toggle_kernel(s); }},
     {Key::other, U',', ",", &W::does_neighbour, [](WindowState& s, bool) { select(s, -1); }},
     {Key::other, U'.', ".", &W::does_neighbour, [](WindowState& s, bool) { select(s, 1); }},
     {Key::other, U';', ".", &W::does_neighbour,

@@ -6,7 +6,7 @@
 namespace clapotis {
 
 /// The left part of the window: the scene as files show it, and over it what only somebody who points at it
-/// wants to see: velocities, the probe.
+/// wants to see: velocities, how far the mouse reaches.
 class SceneView {
  public:
   void paint(Canvas& canvas, WindowState& state, const Box& area);
@@ -25,15 +25,12 @@ class SceneView {
   void paint_velocities(Canvas& canvas, WindowState& state);
   void paint_arrow_key(Canvas& canvas, const WindowState& state, double speed);
   void paint_brush(Canvas& canvas, const WindowState& state);
-  void paint_probe(Canvas& canvas, WindowState& state);
 
   Painter painter_;
   Picture picture_;
   PictureView view_;
   std::vector<Plot> plots_;
   std::vector<Point> ends_;
-  std::optional<Index> probe_of_;  ///< the particle that the probe showed last
-  double probe_width_ = 0;         ///< of its widest line so far [pixel]: a box that breathes is not calm
 };
 
 }  // namespace clapotis
