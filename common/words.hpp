@@ -43,7 +43,7 @@ struct Words {
       stopped_done, stopped_interrupted, stopped_diverged;
   // runner: tables, plots, pictures
   Word column_name, column_symbol, column_unit, column_default, column_range, column_change, column_meaning,
-      plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total, chosen_particle;
+      plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total;
   // runner: comparison
   Word compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
       compare_other_particles, compare_other_start, compare_title, compare_side_line, compare_left,
@@ -66,8 +66,8 @@ struct Words {
         real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
         pairs_tested, frames, frame_cost;
     // what is painted over the scene
-    Word particle, position, velocity, speed_of_particle, acceleration, tested, near, velocity_scale,
-        diverged, try_another;
+    Word particle, position, velocity, speed_of_particle, acceleration, near, velocity_scale, diverged,
+        try_another;
     // notices
     Word picture_saved, state_saved, state_restored, nothing_saved;
     Word mouse, tool_probe, tool_pull, tool_push, tool_add, tool_erase, tool_obstacle, tool_grab;
@@ -76,12 +76,25 @@ struct Words {
         does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid, does_neighbour,
         does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video, does_picture,
         does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right, does_right,
-        does_language, does_theme, does_letters, does_sides;
+        does_language, does_theme, does_letters, does_sides, does_kernel;
     // two sides
     struct Sides {
       Word label, offer, right, started, ended;
       constexpr bool operator==(const Sides&) const = default;
     } sides;
+    // inside a particle: its table, and the names of the laws that act on it
+    struct Inside {
+      Word held, mass, sum, in_walls, in_vain, gravity, air_drag, contact_spring, walls, pressure, viscosity,
+          artificial_viscosity, laminar_viscosity, newtonian_viscosity, implicit_viscosity, surface_tension,
+          tensile_correction, hand, driving_force, tank_motion;
+      constexpr bool operator==(const Inside&) const = default;
+    } inside;
+    // the kernel at work
+    struct Kernel {
+      Word label, contact_label, none, nobody, weight, sum, slope, gradient, fluid, wall, contact, neighbours,
+          density, own_density;
+      constexpr bool operator==(const Kernel&) const = default;
+    } kernel;
     constexpr bool operator==(const Window&) const = default;
   } window;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/laws/dummy_walls.hpp"
+#include "common/runner/describe_inside.hpp"
 #include "common/runner/ticks.hpp"
 #include "common/runner/units.hpp"
 #include "common/simulation/errors.hpp"
@@ -111,16 +112,10 @@ void add_ghosts(Picture& picture, const Simulation& simulation) {
                           positions.rows() != simulation.particles().size()};
 }
 
-void add_neighbours(Picture& picture, Simulation& simulation, const Viewpoint& viewpoint) {
-  const auto particle = simulation.particles().place_of(viewpoint.chosen.value_or(0));
-  if ((!viewpoint.grid && !viewpoint.chosen) || !particle) return;
-  const auto around = simulation.model().neighbourhood(simulation.particles(), *particle);
-  if (!around) return;
-  if (viewpoint.grid && around->cell.y > 0) picture.cell = around->cell.y;
-  if (!viewpoint.chosen) return;
-  picture.chosen = Chosen{*particle, around->neighbours, around->support,
-                          say(words().chosen_particle, fmt::arg("id", *viewpoint.chosen),
-                              fmt::arg("count", around->neighbours.size()))};
+void add_grid(Picture& picture, Simulation& simulation) {
+  if (simulation.particles().size() == 0) return;
+  const auto around = simulation.model().neighbourhood(simulation.particles(), 0);
+  if (around && around->cell.y > 0) picture.cell = around->cell.y;
 }
 
 std::string error_note(const Simulation& simulation) {
@@ -185,7 +180,9 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   add_solids(picture, simulation);
   colour(picture, simulation, viewpoint);
   if (viewpoint.ghosts) add_ghosts(picture, simulation);
-  add_neighbours(picture, simulation, viewpoint);
+  if (viewpoint.grid) add_grid(picture, simulation);
+  const auto chosen = viewpoint.chosen ? particles.place_of(*viewpoint.chosen) : std::nullopt;
+  if (chosen) picture.chosen = look_inside(simulation, *chosen);
   picture.note = error_note(simulation);
   return picture;
 }

@@ -18,7 +18,7 @@ struct Viewpoint {
   std::optional<std::pair<double, double>> range = {};
   bool ghosts = true;                ///< where the reference has the particles
   bool grid = false;                 ///< the cells of the neighbour search
-  std::optional<Index> chosen = {};  ///< id of the particle whose neighbours are shown
+  std::optional<Index> chosen = {};  ///< id of the particle that is looked into
 };
 
 /// What the particles can be coloured by: speed, in a fluid pressure, density_error and density, then force

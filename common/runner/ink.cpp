@@ -15,12 +15,17 @@ constexpr Palette light{.sheet{0.957F, 0.965F, 0.973F},
                         .plain_disc{0.16F, 0.42F, 0.69F},
                         .ghost{0.80F, 0.20F, 0.10F},
                         .chosen{0.90F, 0.45F, 0.00F},
+                        .in_vain{0.99F, 0.80F, 0.58F},
+                        .visited{0.99F, 0.80F, 0.58F, 0.5F},
                         .curves{{{0.000F, 0.447F, 0.698F},    // blue
                                  {0.835F, 0.369F, 0.000F},    // vermilion
                                  {0.000F, 0.620F, 0.451F},    // bluish green
                                  {0.800F, 0.475F, 0.655F},    // reddish purple
                                  {0.902F, 0.624F, 0.000F},    // orange
                                  {0.110F, 0.140F, 0.180F}}},  // near black
+                        .spare{{{0.337F, 0.706F, 0.914F},     // sky blue
+                                {0.941F, 0.894F, 0.259F},     // yellow
+                                {0.450F, 0.490F, 0.540F}}},   // grey
                         .darkest = 0,
                         .panel{0.945F, 0.950F, 0.955F},
                         .field{1.0F, 1.0F, 1.0F},
@@ -39,12 +44,17 @@ constexpr Palette dark{.sheet{0.105F, 0.118F, 0.137F},
                        .plain_disc{0.345F, 0.640F, 0.930F},
                        .ghost{1.000F, 0.450F, 0.330F},
                        .chosen{1.000F, 0.620F, 0.150F},
+                       .in_vain{0.480F, 0.340F, 0.180F},
+                       .visited{0.480F, 0.340F, 0.180F, 0.5F},
                        .curves{{{0.337F, 0.706F, 0.914F},    // sky blue
                                 {0.960F, 0.480F, 0.160F},    // vermilion
                                 {0.180F, 0.760F, 0.580F},    // bluish green
                                 {0.870F, 0.600F, 0.760F},    // reddish purple
                                 {0.941F, 0.894F, 0.259F},    // yellow
                                 {0.930F, 0.940F, 0.955F}}},  // near white
+                       .spare{{{0.560F, 0.600F, 0.980F},     // blue
+                               {0.902F, 0.624F, 0.000F},     // orange
+                               {0.620F, 0.655F, 0.700F}}},   // grey
                        .darkest = 0.25F,
                        .panel{0.150F, 0.165F, 0.188F},
                        .field{0.090F, 0.100F, 0.118F},

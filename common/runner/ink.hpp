@@ -18,8 +18,11 @@ struct Palette {
   Colour sheet, paper;  ///< around the scene, and behind its particles
   Colour text, faint_text;
   Colour wall, grid, plain_disc, ghost, chosen;
+  Colour in_vain;  ///< around what was tested and is out of reach
+  Colour visited;  ///< cells that were looked through
   /// For curves, told apart by the colour-blind: M. Okabe and K. Ito, Color Universal Design (2008).
   std::array<Colour, 6> curves;
+  std::array<Colour, 3> spare;  ///< for more forces than there are curves: they have a rim
   float darkest;  ///< share of a colour map that is skipped, as its dark end would be lost on the paper
   Colour panel, field, button, accent, caution, warning;  ///< of the controls
 };
@@ -42,7 +45,8 @@ class Tone {
 inline constexpr Tone sheet{&Palette::sheet}, paper{&Palette::paper};
 inline constexpr Tone text{&Palette::text}, faint_text{&Palette::faint_text};
 inline constexpr Tone wall{&Palette::wall}, grid{&Palette::grid}, plain_disc{&Palette::plain_disc},
-    ghost{&Palette::ghost}, chosen{&Palette::chosen}, warning{&Palette::warning};
+    ghost{&Palette::ghost}, chosen{&Palette::chosen}, in_vain{&Palette::in_vain}, visited{&Palette::visited},
+    warning{&Palette::warning};
 
 // Sizes are pixels of a 1280 x 720 sheet; each is multiplied by the picture's scale. On a sheet of that size
 // 18 pixels are 1/40 of the height: the least that the back row can read.

@@ -150,7 +150,9 @@ void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& vie
     x += std::min(room(x), canvas.text_width(label, height));
   };
   if (picture.ghosts) key(ink::ghost, 0.72, picture.ghosts->label);
-  if (picture.chosen) key(ink::chosen, 0.6, picture.chosen->label);
+  if (picture.chosen && !picture.chosen->label.empty()) key(ink::chosen, 0.6, picture.chosen->label);
+  if (picture.chosen && !picture.chosen->in_vain.empty())
+    key(ink::in_vain, 0.6, picture.chosen->in_vain_label);
   x += 24 * scale;
   ink::fitted_text(canvas, {right, baseline}, picture.note, height, room(x), ink::text, Align::right);
 }

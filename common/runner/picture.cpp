@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "common/runner/ink.hpp"
 #include "common/runner/legend.hpp"
+#include "common/runner/paint_inside.hpp"
 
 namespace clapotis {
 namespace {
@@ -33,6 +33,8 @@ void require_matching_sizes(const Picture& picture) {
   demand(!picture.chosen || exists(picture.chosen->particle), "a picture's chosen particle does not exist");
   demand(!picture.chosen || std::ranges::all_of(picture.chosen->neighbours, exists),
          "a neighbour of a picture's chosen particle does not exist");
+  demand(!picture.chosen || std::ranges::all_of(picture.chosen->in_vain, exists),
+         "a candidate of a picture's chosen particle does not exist");
 }
 
 Box domain(const Picture& picture, const PictureView& view) {
@@ -118,6 +120,7 @@ void Painter::paint(Canvas& canvas, const Picture& picture, const PictureView& v
 void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureView& view) {
   const Box inside = domain(picture, view);
   canvas.rectangle(inside, ink::paper);
+  paint_visited_cells(canvas, picture, view);
   paint_cells(canvas, picture, view);
   paint_rim(canvas, inside, wall_thickness / 4 * view.scale);
   const auto walls = [&] { paint_walls(canvas, picture.walls, inside, wall_thickness * view.scale); };
@@ -126,33 +129,24 @@ void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureV
   paint_solids(canvas, picture, view);
   if (picture.liquid) walls();  // they cut off straight what closes the gaps of the liquid
   paint_marks(canvas, picture, view);
+  paint_forces(canvas, picture, view);
+  paint_facts(canvas, picture, view);
   paint_alarm(canvas, picture, view);
 }
 
-/// The cells of the neighbour search; those in which the chosen particle's neighbours are looked for are
-/// tinted.
+/// The cells of the neighbour search.
 void Painter::paint_cells(Canvas& canvas, const Picture& picture, const PictureView& view) {
   if (!picture.cell || !(*picture.cell * view.pixels_per_unit >= smallest_cell)) return;
   const double cell = *picture.cell;
   const Eigen::Array2d lower = picture.lower, upper = picture.upper;
-  if (picture.chosen) {
-    const auto i = picture.chosen->particle;
-    const Eigen::Array2d own = ((Eigen::Array2d(picture.x[i], picture.y[i]) - lower) / cell).floor();
-    const Eigen::Array2d from = (lower + (own - 1) * cell).max(lower),
-                         to = (lower + (own + 2) * cell).min(upper);
-    const Point corner = view.to_pixel(from.x(), to.y());
-    const Eigen::Array2d extent = (to - from) * view.pixels_per_unit;
-    if ((extent > 0).all())
-      canvas.rectangle({corner, {extent.x(), extent.y()}}, translucent(ink::chosen, 0.22F));
-  }
   points_.clear();
-  for (int k = 1; lower.x() + k * cell < upper.x(); ++k) {
-    points_.push_back(view.to_pixel(lower.x() + k * cell, lower.y()));
-    points_.push_back(view.to_pixel(lower.x() + k * cell, upper.y()));
+  for (double k = std::floor(lower.x() / cell) + 1; k * cell < upper.x(); ++k) {
+    points_.push_back(view.to_pixel(k * cell, lower.y()));
+    points_.push_back(view.to_pixel(k * cell, upper.y()));
   }
-  for (int k = 1; lower.y() + k * cell < upper.y(); ++k) {
-    points_.push_back(view.to_pixel(lower.x(), lower.y() + k * cell));
-    points_.push_back(view.to_pixel(upper.x(), lower.y() + k * cell));
+  for (double k = std::floor(lower.y() / cell) + 1; k * cell < upper.y(); ++k) {
+    points_.push_back(view.to_pixel(lower.x(), k * cell));
+    points_.push_back(view.to_pixel(upper.x(), k * cell));
   }
   canvas.segments(points_, ink::grid, view.scale);
 }
@@ -208,7 +202,7 @@ void Painter::paint_alarm(Canvas& canvas, const Picture& picture, const PictureV
   }
 }
 
-/// Ghosts, neighbours and the chosen particle: rings, so that the particle below stays visible.
+/// Ghosts, and who is near the chosen particle: rings, so that the particles below stay visible.
 void Painter::paint_marks(Canvas& canvas, const Picture& picture, const PictureView& view) {
   const double scale = view.scale, disc = picture.radius * view.pixels_per_unit;
   const double radius = std::max(disc, smallest_mark * scale);
@@ -231,24 +225,9 @@ void Painter::paint_marks(Canvas& canvas, const Picture& picture, const PictureV
       canvas.line(points_, ink::ghost, 2.5 * scale);
     }
   }
-  if (picture.chosen) {
-    const auto where = [&](Eigen::Index i) { return view.to_pixel(picture.x[i], picture.y[i]); };
-    const auto self = picture.chosen->particle;
-    for (const auto i : picture.chosen->neighbours) {
-      ring(where(i), radius + scale, std::max(2.5 * scale, 0.3 * radius), ink::chosen);
-    }
-    ring(where(self), radius + 3 * scale, 4 * scale, ink::paper);
-    ring(where(self), radius + 3 * scale + 2, std::max(3 * scale, 0.3 * radius), ink::text);
-    points_.clear();
-    for (int k = 0; k <= 128; ++k) {
-      const double angle = 2 * std::numbers::pi * k / 128,
-                   reach = picture.chosen->support * view.pixels_per_unit;
-      const Point centre = where(self);
-      points_.push_back({centre.x + reach * std::cos(angle), centre.y + reach * std::sin(angle)});
-    }
-    canvas.line(points_, ink::chosen, 3 * scale);
-  }
+  add_chosen_rings(picture, view, discs_);
   canvas.discs(discs_);
+  paint_support(canvas, picture, view);
 }
 
 }  // namespace clapotis

@@ -7,6 +7,7 @@
 
 #include "common/runner/canvas.hpp"
 #include "common/runner/colour_map.hpp"
+#include "common/runner/inside.hpp"
 
 namespace clapotis {
 
@@ -30,14 +31,6 @@ struct Ghosts {
   bool outline = false;  ///< the points are those of a closed line, not of particles
 };
 
-/// One particle, chosen by the user, and who is near it.
-struct Chosen {
-  Eigen::Index particle = 0;
-  std::vector<Eigen::Index> neighbours;
-  double support = 0;  ///< radius within which particles act on each other [length unit]
-  std::string label;   ///< "particle 17: 20 neighbours"
-};
-
 /// What is to be seen, apart from how a simulation found it: plain data in the scene's unit of length, y up.
 /// The words come from the caller, in the caller's language.
 struct Picture {
@@ -54,7 +47,7 @@ struct Picture {
   ColourScale colours;
   std::optional<Ghosts> ghosts;
   std::optional<double>
-      cell;  ///< side of the square cells of the neighbour search, from `lower` on [length unit]
+      cell;  ///< side of the square cells of the neighbour search, at multiples of it [length unit]
   std::optional<Chosen> chosen;
   std::string note;  ///< "error of y: 1.2e-6 m (closed form)"
   // of one of two that stand side by side

@@ -103,34 +103,71 @@ class CurvePainter {
   std::vector<Point> path_, dashes_;
 };
 
-double key_width(const Canvas& canvas, const Curve& curve, double scale) {
-  return (36 + 8 + 22) * scale + canvas.text_width(curve.label, ink::numbers * scale);
+void paint_bars(Canvas& canvas, const Plot& plot, const Bars& bars, const PlotFrame& frame, double scale) {
+  std::vector<Point> ends;
+  std::vector<Disc> dots;
+  const double zero = plot.log_y ? frame.box.corner.y + frame.box.extent.y : frame.pixel_y(0);
+  for (std::size_t k = 0; k < bars.xs.size(); ++k) {
+    const Point tip{frame.pixel_x(bars.xs[k]), frame.pixel_y(ordinate(plot, bars.ys[k]))};
+    if (!std::isfinite(tip.x) || !std::isfinite(tip.y)) continue;
+    ends.insert(ends.end(), {Point{tip.x, zero}, tip});
+    dots.push_back({tip, 4.5 * scale, bars.colour});
+  }
+  canvas.segments(ends, bars.colour, 2.5 * scale);
+  canvas.discs(dots);
 }
 
-/// Curve labels in a row that ends at `right`, or as many rows as they need; the height of all rows.
-double paint_keys(Canvas& canvas, const Plot& plot, const Box& area, double title_end, double scale) {
-  double needed = 0;
+/// What the key says of a curve, or of bars.
+struct Key {
+  std::string_view label;
+  Colour colour;
+  enum class Sign { line, dashes, dot } sign;
+};
+
+std::vector<Key> keys_of(const Plot& plot) {
+  std::vector<Key> keys;
   for (const Curve& curve : plot.curves)
-    if (!curve.label.empty()) needed += key_width(canvas, curve, scale);
+    if (!curve.label.empty())
+      keys.push_back({curve.label, curve.colour, curve.dashed ? Key::Sign::dashes : Key::Sign::line});
+  for (const Bars& bars : plot.bars)
+    if (!bars.label.empty()) keys.push_back({bars.label, bars.colour, Key::Sign::dot});
+  return keys;
+}
+
+double sign_width(const Key& key) { return key.sign == Key::Sign::dot ? 12 : 36; }
+
+double key_width(const Canvas& canvas, const Key& key, double scale) {
+  return (sign_width(key) + 8 + 22) * scale + canvas.text_width(key.label, ink::numbers * scale);
+}
+
+void paint_sign(Canvas& canvas, const Key& key, double x, double end, double middle, double scale) {
+  if (key.sign == Key::Sign::dot) {
+    canvas.discs(std::array{Disc{{(x + end) / 2, middle}, 5.5 * scale, key.colour}});
+  } else if (key.sign == Key::Sign::dashes) {
+    canvas.segments(std::array{Point{x, middle}, Point{x + 14 * scale, middle},
+                               Point{end - 14 * scale, middle}, Point{end, middle}},
+                    key.colour, 4 * scale);
+  } else {
+    canvas.segments(std::array{Point{x, middle}, Point{end, middle}}, key.colour, 4 * scale);
+  }
+}
+
+/// Labels in a row that ends at `right`, or as many rows as they need; the height of all rows.
+double paint_keys(Canvas& canvas, const Plot& plot, const Box& area, double title_end, double scale) {
+  const auto keys = keys_of(plot);
+  double needed = 0;
+  for (const Key& key : keys) needed += key_width(canvas, key, scale);
   const double left = area.corner.x + ink::margin * scale, right = area.corner.x + area.extent.x;
   const bool beside_title = title_end + needed <= right;
   double x = beside_title ? right - needed : left, row = beside_title ? 1 : 2;
-  for (const Curve& curve : plot.curves) {
-    if (curve.label.empty()) continue;
-    const double width = key_width(canvas, curve, scale);
+  for (const Key& key : keys) {
+    const double width = key_width(canvas, key, scale);
     if (x + width > right + 1 && x > left) x = left, ++row;
     const double baseline = area.corner.y + row * row_height * scale - 6 * scale,
                  middle = baseline - 6 * scale;
-    const double end = x + 36 * scale;
-    const std::array solid{Point{x, middle}, Point{end, middle}};
-    const std::array dashes{Point{x, middle}, Point{x + 14 * scale, middle}, Point{end - 14 * scale, middle},
-                            Point{end, middle}};
-    if (curve.dashed) {
-      canvas.segments(dashes, curve.colour, 4 * scale);
-    } else {
-      canvas.segments(solid, curve.colour, 4 * scale);
-    }
-    ink::fitted_text(canvas, {end + 8 * scale, baseline}, curve.label, ink::numbers * scale,
+    const double end = x + sign_width(key) * scale;
+    paint_sign(canvas, key, x, end, middle, scale);
+    ink::fitted_text(canvas, {end + 8 * scale, baseline}, key.label, ink::numbers * scale,
                      right - end - 8 * scale, ink::text);
     x += width;
   }
@@ -143,6 +180,11 @@ void paint(Canvas& canvas, const Plot& plot, const Box& area, double scale) {
   for (const Curve& curve : plot.curves) {
     if (curve.xs.size() != curve.ys.size()) {
       throw std::invalid_argument("curve \"" + curve.label + "\" needs as many ys as xs");
+    }
+  }
+  for (const Bars& bars : plot.bars) {
+    if (bars.xs.size() != bars.ys.size()) {
+      throw std::invalid_argument("bars \"" + bars.label + "\" need as many ys as xs");
     }
   }
   canvas.rectangle(area, ink::sheet);
@@ -158,6 +200,7 @@ void paint(Canvas& canvas, const Plot& plot, const Box& area, double scale) {
   const Box rest{{area.corner.x, area.corner.y + rows}, {area.extent.x, area.extent.y - rows}};
   const PlotFrame frame = paint_axes(canvas, plot, rest, scale);
   canvas.clip(frame.box);
+  for (const Bars& bars : plot.bars) paint_bars(canvas, plot, bars, frame, scale);
   CurvePainter painter(canvas, frame, scale);
   for (const Curve& curve : plot.curves) painter.paint(plot, curve);
   canvas.unclip();

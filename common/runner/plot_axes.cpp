@@ -97,12 +97,14 @@ double ordinate(const Plot& plot, double y) {
 
 PlotRanges ranges_of(const Plot& plot) {
   AxisRange x{infinity, -infinity}, y{infinity, -infinity};
-  for (const Curve& curve : plot.curves) {
-    for (std::size_t k = 0; k < curve.xs.size(); ++k) {
-      if (std::isfinite(curve.xs[k])) include(x, curve.xs[k]);
-      if (std::isfinite(curve.ys[k]) && (!plot.log_y || curve.ys[k] > 0)) include(y, curve.ys[k]);
+  const auto include_all = [&](const std::vector<double>& xs, const std::vector<double>& ys) {
+    for (std::size_t k = 0; k < xs.size(); ++k) {
+      if (std::isfinite(xs[k])) include(x, xs[k]);
+      if (std::isfinite(ys[k]) && (!plot.log_y || ys[k] > 0)) include(y, ys[k]);
     }
-  }
+  };
+  for (const Curve& curve : plot.curves) include_all(curve.xs, curve.ys);
+  for (const Bars& bars : plot.bars) include_all(bars.xs, bars.ys);
   if (!(x.lo <= x.hi)) x = {0, 1};
   if (x.lo == x.hi) x.hi = x.lo + std::max(1.0, std::abs(x.lo));  // a run that has just begun
   if (!plot.log_y) return {x, roomy(y)};

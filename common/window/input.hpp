@@ -8,7 +8,7 @@ namespace clapotis {
 /// keyboard layout prints, so that shortcuts work on AZERTY as well.
 // clang-format off
 enum class Key {
-  other, a, b, c, e, g, h, l, n, r, v, x, y, z, space, enter, escape, backspace, del, tab, left, right, up, down,
+  other, a, b, c, e, g, h, k, l, n, r, v, x, y, z, space, enter, escape, backspace, del, tab, left, right, up, down,
   page_up, page_down, home, end, shift, control, alt, f1, f2, f3, f4,
   f5, f9, f10, f12
 };

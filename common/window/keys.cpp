@@ -3,6 +3,7 @@
 #include <array>
 
 #include "common/runner/ink.hpp"
+#include "common/window/kernel_view.hpp"
 
 namespace clapotis {
 namespace {
@@ -39,7 +40,7 @@ void select(WindowState& state, int direction) {
 
 void other_theme() { ink::use(ink::theme() == ink::Theme::light ? ink::Theme::dark : ink::Theme::light); }
 
-constexpr std::array<Shortcut, 29> table{{
+constexpr std::array<Shortcut, 30> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
@@ -54,6 +55,7 @@ constexpr std::array<Shortcut, 29> table{{
      [](WindowState& s, bool) { s.sight.colour_range.locked = !s.sight.colour_range.locked; }},
     {Key::g, 0, "G", &W::does_grid,
      [](WindowState& s, bool) { s.sight.viewpoint.grid = !s.sight.viewpoint.grid; }},
+    {Key::k, 0, "K", &W::does_kernel, [](WindowState& s, bool) { toggle_kernel(s); }},
     {Key::other, U',', ",", &W::does_neighbour, [](WindowState& s, bool) { select(s, -1); }},
     {Key::other, U'.', ".", &W::does_neighbour, [](WindowState& s, bool) { select(s, 1); }},
     {Key::other, U';', ".", &W::does_neighbour,

@@ -5,6 +5,7 @@
 #include "common/runner/ticks.hpp"
 #include "common/simulation/tools.hpp"
 #include "common/window/combo.hpp"
+#include "common/window/kernel_view.hpp"
 #include "common/window/step_light.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
@@ -216,11 +217,17 @@ void Panel::view(WindowState& state) {
     sight.colour_by(quantities[*k]);
   ImGui::SameLine(start + 0.70F * width);
   tick("lock", w().lock_range, sight.colour_range.locked);
+  const auto& style = ImGui::GetStyle();  // the four of a line stand close
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
+                      {style.ItemInnerSpacing.x / 2, style.ItemInnerSpacing.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x / 2, style.ItemSpacing.y});
   if (simulation.model().has_pairs()) tick("grid", w().grid, sight.viewpoint.grid);
-  if (simulation.model().has_pairs()) ImGui::SameLine(start + 0.28F * width);
+  if (simulation.model().has_pairs()) ImGui::SameLine();
   tick("vectors", w().vectors, sight.vectors);
-  ImGui::SameLine(start + 0.70F * width);
+  ImGui::SameLine();
+  lay_out_kernel_tick(state, controls_);
   tick("plots", w().plots, sight.plots);
+  ImGui::PopStyleVar(2);
   look(state);
 }
 

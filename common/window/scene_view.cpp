@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/runner/describe_inside.hpp"
 #include "common/runner/ink.hpp"
 #include "common/runner/save_sheet.hpp"
 #include "common/runner/units.hpp"
@@ -26,18 +27,16 @@ void paint_box(Canvas& canvas, const Box& box) {
   canvas.rectangle(box, ink::paper);
 }
 
-/// With as many digits whatever the value, so that a table of them stands still.
-std::string steady(double value, int digits = 4) {
-  auto text = fmt::format("{:#.{}g}", value == 0 ? 0.0 : value, digits);
-  if (text.back() == '.') text.pop_back();
-  return text;
+/// The place of the chosen particle, if it still exists; the kernel goes on with another one where it left.
+std::optional<Index> keep_chosen(Sight& sight, const Simulation& simulation) {
+  auto& id = sight.viewpoint.chosen;
+  if (id && !simulation.particles().place_of(*id)) {
+    id.reset();
+    if (sight.kernel) sight.select_middle(simulation);
+  }
+  if (!id) sight.kernel = false;
+  return id ? simulation.particles().place_of(*id) : std::nullopt;
 }
-
-std::string line(std::string_view symbol, const std::string& value, const std::string& unit) {
-  return fmt::format("{} = {} {}", symbol, value, unit);
-}
-
-std::string components(const Vector& v) { return fmt::format("({}, {})", steady(v.x), steady(v.y)); }
 
 /// That of the longest arrow.
 double arrow_speed(const Particles& particles) {
@@ -60,8 +59,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   auto& sight = state.sight;
-  if (sight.viewpoint.chosen && !simulation.particles().place_of(*sight.viewpoint.chosen))
-    sight.viewpoint.chosen.reset();
+  const auto chosen = keep_chosen(sight, simulation);
   beside_.reset();
   if (auto* sides = session.sides()) {
     describe_sides(state, *sides);
@@ -70,15 +68,21 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
     picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
                                     step_text(simulation), simulation.particles().size());
   }
-  if (picture_.chosen)  // the probe says the rest
-    picture_.chosen->label = say(words().window.particle, fmt::arg("id", *sight.viewpoint.chosen));
+  if (picture_.chosen) {
+    double most = picture_.chosen->full_force;
+    auto* other = beside_ && beside_->right.chosen ? &beside_->right.chosen->full_force : nullptr;
+    if (other != nullptr) most = std::max(most, *other);
+    picture_.chosen->full_force = sight.force_range.follow(0, most).second;
+    if (other != nullptr) *other = picture_.chosen->full_force;
+  }
   if (picture_.value.size() > 0) {
     auto& [label, unit, lo, hi, map] = picture_.colours;
     std::tie(lo, hi) = sight.colour_range.follow(lo, hi);
     if (beside_) beside_->right.colours = picture_.colours;
   }
   const double scale = state.scale;
-  const double plots_height = sight.plots ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
+  const double plots_height =
+      sight.plots || sight.kernel ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
   const Box above{area.corner, {area.extent.x, area.extent.y - plots_height}};
   const auto halves = split(above, picture_, picture_scale * scale);
   view_ = sight.view(picture_, beside_ ? halves.left : above, picture_scale * scale);
@@ -90,12 +94,12 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
     arrow_speed_ = sight.arrow_range.follow(0, std::max(arrow_speed(simulation.particles()), right)).second;
     paint_velocities(canvas, state, simulation, view_);
   }
-  if (sight.viewpoint.chosen) paint_probe(canvas, state);
   paint_brush(canvas, state);
   canvas.unclip();
   if (beside_) paint_right(canvas, state, halves);
-  plots_ = session.sides() != nullptr ? plots_of_sides(*session.sides(), area.extent.x / scale)
-                                      : plots(session.history(), simulation);
+  plots_ = sight.kernel                 ? kernel_plots(simulation, *chosen)
+           : session.sides() != nullptr ? plots_of_sides(*session.sides(), area.extent.x / scale)
+                                        : plots(session.history(), simulation);
   if (plots_height < 60 * scale) return;
   const double width = area.extent.x / static_cast<double>(plots_.size());
   for (std::size_t k = 0; k < plots_.size(); ++k) {
@@ -180,49 +184,6 @@ void SceneView::paint_arrow_key(Canvas& canvas, const WindowState& state, double
                              Point{right.x - head, right.y + head / 2}},
                   ink::text, 2 * scale);
   canvas.text({right.x + margin, right.y + 0.36 * height}, label, height, ink::text);
-}
-
-void SceneView::paint_probe(Canvas& canvas, WindowState& state) {
-  auto& simulation = state.session.simulation();
-  const auto& w = words().window;
-  const auto& particles = simulation.particles();
-  const Index id = *state.sight.viewpoint.chosen, i = *particles.place_of(id);
-  const std::string unit = simulation.scene().length_unit;
-  Vector acceleration{0, 0};
-  simulation.look([&](const System& system) { acceleration = row(system.acceleration, i); });
-  const Vector velocity = row(particles.velocity, i);
-  std::vector<std::string> lines{line(w.position, components(row(particles.position, i)), unit),
-                                 line(w.velocity, components(velocity), unit + "/s"),
-                                 line(w.speed_of_particle, steady(norm(velocity)), unit + "/s"),
-                                 line(w.acceleration, components(acceleration), unit + "/s²")};
-  for (const auto& column : particles.columns()) {
-    const int digits = column.name == "density" ? 6 : 4;  // a liquid's changes by one in a thousand
-    lines.push_back(
-        line(symbol(column.name), steady(column.values(i), digits), printed(short_unit(column.unit, unit))));
-  }
-  if (const auto around = simulation.model().neighbourhood(particles, i)) {
-    lines.push_back(say(w.tested, fmt::arg("count", around->candidates.size())) + ", " +
-                    say(w.near, fmt::arg("count", around->neighbours.size())));
-  }
-  const double scale = state.scale, height = 16 * scale, leading = 1.4 * height, margin = 10 * scale;
-  const std::string title = say(w.particle, fmt::arg("id", id));
-  if (std::exchange(probe_of_, id) != id) probe_width_ = 0;
-  probe_width_ = std::max(probe_width_, canvas.text_width(title, height));
-  for (const auto& text : lines) probe_width_ = std::max(probe_width_, canvas.text_width(text, height));
-  const double width = probe_width_;
-  const Box& scene = view_.scene;  // the box stands on the side away from the particle
-  const bool left_half = view_.to_pixel(particles.position(i, 0), 0).x < scene.corner.x + scene.extent.x / 2;
-  const double from_left = left_half ? scene.extent.x - width - 3 * margin : margin;
-  const Point corner{scene.corner.x + from_left, scene.corner.y + margin};
-  const double tall = leading * static_cast<double>(lines.size() + 1) + margin;
-  paint_box(canvas, {corner, {width + 2 * margin, tall}});
-  canvas.rectangle({corner, {4 * scale, tall}}, ink::chosen);
-  Point at{corner.x + margin + 2 * scale, corner.y + leading};
-  canvas.text(at, title, height, ink::faint_text);
-  for (const auto& text : lines) {
-    at.y += leading;
-    canvas.text(at, text, height, ink::text);
-  }
 }
 
 Box SceneView::domain() const {

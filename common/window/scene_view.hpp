@@ -6,7 +6,7 @@
 namespace clapotis {
 
 /// The left part of the window: the scene as files show it, and over it what only somebody who points at it
-/// wants to see: velocities, the probe.
+/// wants to see: velocities, how far the mouse reaches.
 class SceneView {
  public:
   void paint(Canvas& canvas, WindowState& state, const Box& area);
@@ -36,7 +36,6 @@ class SceneView {
                         const PictureView& view);
   void paint_arrow_key(Canvas& canvas, const WindowState& state, double speed);
   void paint_brush(Canvas& canvas, const WindowState& state);
-  void paint_probe(Canvas& canvas, WindowState& state);
 
   Painter painter_;
   Picture picture_;
@@ -45,9 +44,7 @@ class SceneView {
   PictureView right_view_;
   std::vector<Plot> plots_;
   std::vector<Point> ends_;
-  double arrow_speed_ = 0;         ///< of the longest arrow, on both sides [L/s]
-  std::optional<Index> probe_of_;  ///< the particle that the probe showed last
-  double probe_width_ = 0;         ///< of its widest line so far [pixel]: a box that breathes is not calm
+  double arrow_speed_ = 0;  ///< of the longest arrow, on both sides [L/s]
 };
 
 }  // namespace clapotis

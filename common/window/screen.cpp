@@ -34,6 +34,8 @@ Key key_of(sf::Keyboard::Key code) {
       return Key::h;
     case K::L:
       return Key::l;
+    case K::K:
+      return Key::k;
     case K::N:
       return Key::n;
     case K::R:

@@ -8,13 +8,27 @@ namespace {
 
 constexpr double closest = 200, farthest = 0.2;  // zoom
 
+struct Near {
+  Index particle = 0;
+  double distance = 0;
+};
+
+/// Of at least one.
+Near nearest(const Particles& p, const Eigen::Vector2d& at) {
+  Near found;
+  found.distance = std::sqrt(((p.position.col(0) - at.x()).square() + (p.position.col(1) - at.y()).square())
+                                 .minCoeff(&found.particle));
+  return found;
+}
+
 }  // namespace
 
 void Sight::look_at_other_scene(const Simulation& simulation) {
   viewpoint.colour_by = simulation.setup().colour_by;
   viewpoint.chosen.reset();
   tank.setZero();
-  colour_range = arrow_range = {};
+  colour_range = arrow_range = force_range = {};
+  kernel = false;
   show_whole_scene();
 }
 
@@ -38,16 +52,19 @@ void Sight::select_next(const Simulation& simulation, int direction) {
   viewpoint.chosen = particles.id(now ? (*now + direction + n) % n : first);
 }
 
-void Sight::select_at(const Simulation& simulation, const PictureView& view, Point pixel, double reach) {
-  const auto at = view.to_world(pixel);
-  const auto& position = simulation.particles().position;
+void Sight::select_middle(const Simulation& simulation) {
+  const auto& p = simulation.particles();
   viewpoint.chosen.reset();
-  if (position.rows() == 0) return;
-  Index nearest = 0;
-  const double squared =
-      ((position.col(0) - at.x()).square() + (position.col(1) - at.y()).square()).minCoeff(&nearest);
-  if (std::sqrt(squared) <= simulation.setup().radius + reach / view.pixels_per_unit)
-    viewpoint.chosen = simulation.particles().id(nearest);
+  if (p.size() == 0) return;
+  viewpoint.chosen = p.id(nearest(p, p.position.colwise().mean().matrix().transpose()).particle);
+}
+
+void Sight::select_at(const Simulation& simulation, const PictureView& view, Point pixel, double reach) {
+  const auto& p = simulation.particles();
+  viewpoint.chosen.reset();
+  if (p.size() == 0) return;
+  const auto [particle, distance] = nearest(p, view.to_world(pixel));
+  if (distance <= simulation.setup().radius + reach / view.pixels_per_unit) viewpoint.chosen = p.id(particle);
 }
 
 PictureView Sight::view(const Picture& picture, const Box& area, double scale) const {

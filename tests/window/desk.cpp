@@ -290,6 +290,11 @@ void Desk::drag(int from_x, int from_y, int to_x, int to_y, int button) {
   release(button);
 }
 
+void Desk::layout(const std::string& name) {
+  Child tool({"setxkbmap", name}, environment_, folder_ / "setxkbmap.log");
+  if (tool.await_end(30) != 0) fail("setxkbmap " + name + " failed");
+}
+
 void Desk::key(const std::string& keysym) { xdotool({"key", "--clearmodifiers", keysym}); }
 void Desk::type(const std::string& text) { xdotool({"type", "--delay", "20", "--", text}); }
 

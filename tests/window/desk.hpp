@@ -73,7 +73,8 @@ class Desk {
   void press(int x, int y, int button = 1);  ///< and holds it
   void release(int button = 1);
   void drag(int from_x, int from_y, int to_x, int to_y, int button = 1);
-  void key(const std::string& keysym);  ///< "space", "shift+n", "Page_Down"
+  void layout(const std::string& name);  ///< of the keyboard, from now on: "fr"
+  void key(const std::string& keysym);   ///< "space", "shift+n", "Page_Down"
   void type(const std::string& text);
   void control_click(int x, int y);
   void resize(int width, int height);
