@@ -165,6 +165,7 @@ constexpr Words english{
     .mechanical = "mechanical",
     .total = "with what was lost",
     .chosen_particle = "particle {id}: {count} neighbours",
+    .measured_points = "u of the particles",
     .compare_side = "{side} is not STAGE/SCENE[:NAME=VALUE,...]",
     .compare_assignment = "{side}: {text} is not NAME=VALUE",
     .compare_two_sides = "a comparison takes two of STAGE/SCENE[:NAME=VALUE,...], not {count}",
@@ -264,7 +265,6 @@ constexpr Words english{
             .automatic = "auto",
             .type_hint = "{meaning}\n{allowed}\nCtrl-click or right-click to type a value",
             .time_step = "Time step",
-            .share_of_limit = "{share} % of the limit {limit} s\n{name}: {formula}",
             .close_to_instability = "close to the limit of stability",
             .beyond_stability = "beyond the limit of stability",
             .view = "View",
@@ -342,6 +342,24 @@ constexpr Words english{
             .does_type = "type it (Enter takes it)",
             .key_right = "Right button",
             .does_right = "pull the liquid (sandbox)",
+            .does_back = "one step back (with Shift: ten)",
+            .past =
+                {
+                    .back_hint = "One step back, with Shift ten: ←",
+                    .shown_time = "t = {time} s",
+                    .oldest = "t = {time} s is the oldest moment that is kept",
+                },
+            .limits =
+                {
+                    .sets_dt = "{name} sets dt",
+                    .given = "dt is given",
+                    .adaptive = "the scheme divides dt as it needs to",
+                    .hint = "dt = {dt} s is {share} % of {formula} = {limit} s.\n{kind}",
+                    .stable = "Beyond this limit the run diverges.",
+                    .accurate = "Beyond this limit the run is less accurate.",
+                    .smaller_step = "dt = {dt} s",
+                    .step_back = "One step back",
+                },
         },
 };
 

@@ -42,7 +42,7 @@ struct Words {
   // runner: tables, plots, pictures
   std::string_view column_name, column_symbol, column_unit, column_default, column_range, column_change,
       column_meaning, plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total,
-      chosen_particle;
+      chosen_particle, measured_points;
   // runner: comparison
   std::string_view compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
       compare_counts, compare_other_start, compare_title, compare_side_line, compare_left, compare_right,
@@ -59,10 +59,9 @@ struct Words {
   struct Window {
     // the buttons and the rows of the panel
     std::string_view run, pause, step, reset, speed, slower_than_asked, scene, preset, seed, integrator, live,
-        restart, defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability,
-        beyond_stability, view, colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost,
-        real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
-        pairs_tested, frames, frame_cost;
+        restart, defaults, automatic, type_hint, time_step, close_to_instability, beyond_stability, view,
+        colour_by, lock_range, grid, vectors, plots, cost, particles, step_cost, real_time, picture, video,
+        stop_video, table, grid_file, save, restore, recording, pairs_near, pairs_tested, frames, frame_cost;
     // what is painted over the scene
     std::string_view particle, position, velocity, speed_of_particle, acceleration, tested, near,
         velocity_scale, diverged, try_another;
@@ -74,7 +73,13 @@ struct Words {
         does_pause, does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid,
         does_neighbour, does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video,
         does_picture, does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right,
-        does_right;
+        does_right, does_back;
+    struct Past {
+      std::string_view back_hint, shown_time, oldest;
+    } past;
+    struct Limits {
+      std::string_view sets_dt, given, adaptive, hint, stable, accurate, smaller_step, step_back;
+    } limits;
   } window;
 };
 

@@ -55,8 +55,12 @@ Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) 
 
 }  // namespace
 
+Sample History::sample(const Simulation& simulation, const Energy& energy) {
+  return {simulation.time(), energy, simulation.error(), max_speed(simulation.particles())};
+}
+
 void History::add(const Simulation& simulation, const Energy& energy) {
-  latest_ = {simulation.time(), energy, simulation.error(), max_speed(simulation.particles())};
+  latest_ = sample(simulation, energy);
   largest_error_ = std::fmax(largest_error_, latest_.error);
   largest_speed_ = std::fmax(largest_speed_, latest_.max_speed);
   if (count_++ % stride_ != 0) return;
@@ -67,8 +71,11 @@ void History::add(const Simulation& simulation, const Energy& energy) {
   stride_ *= 2;
 }
 
+void History::cut() { kept_ = samples(); }
+
 std::vector<Sample> History::samples() const {
-  auto all = kept_;
+  const auto later = std::ranges::upper_bound(kept_, latest_.time, {}, &Sample::time);
+  std::vector<Sample> all(kept_.begin(), later);
   if (!all.empty() && all.back().time < latest_.time) all.push_back(latest_);
   return all;
 }

@@ -24,14 +24,20 @@ class History {
   /// For who has counted the energy already, which costs as much as a step.
   void add(const Simulation& simulation, const Energy& energy);
   void clear() { *this = {}; }
+  /// Goes back to an instant of the run, or on to one: what lies behind it is not shown, but stays.
+  void show(Simulation& simulation) { latest_ = sample(simulation, simulation.energy()); }
+  /// Forgets what lies behind the instant that is shown: the run goes on from there in another way.
+  void cut();
 
-  /// The samples kept, and always the latest one; time grows.
+  /// The samples kept up to the instant that is shown, and always that one; time grows.
   [[nodiscard]] std::vector<Sample> samples() const;
   /// Of all samples that ever came, also those no longer kept; NaN without a reference.
   [[nodiscard]] double largest_error() const { return largest_error_; }
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
 
  private:
+  static Sample sample(const Simulation& simulation, const Energy& energy);
+
   static constexpr std::size_t most = 4096;
   std::vector<Sample> kept_;
   Sample latest_;

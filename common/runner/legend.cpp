@@ -118,21 +118,13 @@ void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& vie
   const double middle = view.scene.corner.y + view.scene.extent.y + footer_height(scale) / 2;
   const double baseline = middle + 0.36 * height;
   const double right = view.area.corner.x + view.area.extent.x - ink::margin * scale;
-  const auto room = [&](double x) { return right - x; };
   double x = paint_ruler(canvas, picture, view, middle);
-  const auto key = [&](Colour colour, double hole, const std::string& label) {
-    x += 34 * scale;
-    const double radius = 9 * scale;
-    const std::array sign{Disc{{x + radius, middle}, radius, colour, hole * radius}};
-    canvas.discs(sign);
-    x += 2 * radius + 8 * scale;
-    ink::fitted_text(canvas, {x, baseline}, label, height, room(x), ink::text);
-    x += std::min(room(x), canvas.text_width(label, height));
-  };
-  if (picture.ghosts) key(ink::ghost, 0.72, picture.ghosts->label);
-  if (picture.chosen) key(ink::chosen, 0.6, picture.chosen->label);
-  x += 24 * scale;
-  ink::fitted_text(canvas, {right, baseline}, picture.note, height, room(x), ink::text, Align::right);
+  if (!picture.chosen) return;
+  x += 34 * scale;
+  const double radius = 9 * scale;
+  canvas.discs(std::array{Disc{{x + radius, middle}, radius, ink::chosen, 0.6 * radius}});
+  x += 2 * radius + 8 * scale;
+  ink::fitted_text(canvas, {x, baseline}, picture.chosen->label, height, right - x, ink::text);
 }
 
 }  // namespace clapotis

@@ -8,6 +8,7 @@
 
 #include "common/runner/ink.hpp"
 #include "common/runner/legend.hpp"
+#include "common/runner/reference_marks.hpp"
 
 namespace clapotis {
 namespace {
@@ -28,8 +29,12 @@ void require_matching_sizes(const Picture& picture) {
   demand(picture.y.size() == n, "a picture's y needs as many entries as its x");
   demand(picture.value.size() == 0 || picture.value.size() == n,
          "a picture's value needs as many entries as its x, or none");
-  demand(!picture.ghosts || picture.ghosts->x.size() == picture.ghosts->y.size(),
+  demand(!picture.ghosts || (picture.ghosts->x.size() == picture.ghosts->y.size() &&
+                             picture.ghosts->measured_x.size() == picture.ghosts->measured_y.size()),
          "a picture's ghosts need as many y as x");
+  demand(!picture.ghosts || picture.ghosts->shape != Shape::marks ||
+             std::ssize(picture.ghosts->labels) == picture.ghosts->x.size(),
+         "a picture's marks need as many labels as points");
   demand(!picture.chosen || exists(picture.chosen->particle), "a picture's chosen particle does not exist");
   demand(!picture.chosen || std::ranges::all_of(picture.chosen->neighbours, exists),
          "a neighbour of a picture's chosen particle does not exist");
@@ -126,6 +131,7 @@ void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureV
   paint_solids(canvas, picture, view);
   if (picture.liquid) walls();  // they cut off straight what closes the gaps of the liquid
   paint_marks(canvas, picture, view);
+  paint_reference(canvas, picture, view);
 }
 
 /// The cells of the neighbour search; those in which the chosen particle's neighbours are looked for are
@@ -188,7 +194,7 @@ void Painter::paint_solids(Canvas& canvas, const Picture& picture, const Picture
   if (!discs_.empty()) canvas.discs(discs_);
 }
 
-/// Ghosts, neighbours and the chosen particle: rings, so that the particle below stays visible.
+/// Neighbours and the chosen particle: rings, so that the particle below stays visible.
 void Painter::paint_marks(Canvas& canvas, const Picture& picture, const PictureView& view) {
   const double scale = view.scale, disc = picture.radius * view.pixels_per_unit;
   const double radius = std::max(disc, smallest_mark * scale);
@@ -197,20 +203,6 @@ void Painter::paint_marks(Canvas& canvas, const Picture& picture, const PictureV
     if (is_seen(mark, view.scene)) discs_.push_back(mark);
   };
   discs_.clear();
-  if (picture.ghosts) {
-    const auto& [x, y, label, outline] = *picture.ghosts;
-    points_.clear();
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      points_.push_back(view.to_pixel(x[i], y[i]));
-      if (outline) continue;
-      ring(points_.back(), radius, radius, translucent(ink::ghost, 0.12F));
-      ring(points_.back(), radius, 2.5 * scale, ink::ghost);
-    }
-    if (outline && !points_.empty()) {
-      points_.push_back(points_.front());
-      canvas.line(points_, ink::ghost, 2.5 * scale);
-    }
-  }
   if (picture.chosen) {
     const auto where = [&](Eigen::Index i) { return view.to_pixel(picture.x[i], picture.y[i]); };
     const auto self = picture.chosen->particle;

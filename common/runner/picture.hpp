@@ -7,6 +7,7 @@
 
 #include "common/runner/canvas.hpp"
 #include "common/runner/colour_map.hpp"
+#include "common/simulation/shape.hpp"
 
 namespace clapotis {
 
@@ -23,11 +24,14 @@ struct SolidSides {
   bool left = false, right = false, bottom = false, top = false;
 };
 
-/// Where the reference solution has the particles.
+/// What the reference solution has, over what the run has.
 struct Ghosts {
-  Eigen::ArrayXd x, y;   ///< [length unit]
-  std::string label;     ///< "closed form"
-  bool outline = false;  ///< the points are those of a closed line, not of particles
+  Eigen::ArrayXd x, y;  ///< [length unit]
+  std::string label;    ///< "closed form"
+  Shape shape = Shape::particles;
+  std::vector<std::string> labels = {};             ///< of the marks, one for each point
+  Eigen::ArrayXd measured_x = {}, measured_y = {};  ///< what the run has in place of its lines
+  std::string measured_label = {};
 };
 
 /// One particle, chosen by the user, and who is near it.
@@ -56,7 +60,7 @@ struct Picture {
   std::optional<double>
       cell;  ///< side of the square cells of the neighbour search, from `lower` on [length unit]
   std::optional<Chosen> chosen;
-  std::string note;  ///< "error of y: 1.2e-6 m (closed form)"
+  std::string note;  ///< how far the run is from its reference: "|y - y_exact| = 1.2e-6 m"
 };
 
 /// From the world to the canvas: which piece of the world is seen where.

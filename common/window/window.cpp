@@ -18,6 +18,7 @@
 #include "common/window/scene_view.hpp"
 #include "common/window/screen.hpp"
 #include "common/window/step_light.hpp"
+#include "common/window/time_line.hpp"
 #include "common/window/watch.hpp"
 #include "common/words.hpp"
 
@@ -132,19 +133,24 @@ class Window {
     if (std::exchange(light_, light.colour) != light.colour && light.colour == StepLight::Colour::red)
       state_.notice = {beyond_limit(light, session.simulation().dt()), true, 10};
     if (session.diverged()) state_.notice = {};  // it says all that, and more
+    const bool had_stopped = std::exchange(stopped_, session.diverged().has_value());
+    if (stopped_ && !had_stopped) state_.sight.viewpoint.chosen = session.diverged()->particle;
   }
 
   void paint(double elapsed) {
     const Point size = screen_.size();
     const double side = state_.panel ? std::min(panel_width * state_.scale, size.x) : 0;
-    const Box scene{{0, 0}, {size.x - side, size.y}}, panel{{size.x - side, 0}, {side, size.y}};
+    const double strip = std::min(time_line_height(state_.scale), size.y);
+    const Box scene{{0, 0}, {size.x - side, size.y - strip}}, panel{{size.x - side, 0}, {side, size.y}};
+    const Box times{{0, scene.extent.y}, {scene.extent.x, strip}};
     screen_.begin_frame(ink::sheet);
     if (scene.extent.x > 1 && scene.extent.y > 1) view_.paint(screen_.canvas(), state_, scene);
     controls_.name("domain", view_.domain());
     state_.menu_open = false;
     if (state_.panel) panel_.lay_out(state_, panel);
+    if (times.extent.x > 1) lay_out_time_line(state_, times, controls_);
     state_.close_menu = false;
-    lay_out_divergence(state_, view_.view().scene, controls_);
+    lay_out_divergence(state_, scene, controls_);
     lay_out_recording(state_, view_.view().scene);
     lay_out_notice(state_, scene, elapsed);  // low, over the plots: water lies at the bottom of its scene
     lay_out_help(state_, scene);
@@ -193,6 +199,7 @@ class Window {
   std::optional<std::size_t> scene_;
   std::size_t warnings_ = 0;
   StepLight::Colour light_ = StepLight::Colour::calm;
+  bool stopped_ = false;  ///< because the run diverged
 };
 
 }  // namespace

@@ -15,6 +15,14 @@ std::string about_file(std::string_view sentence, const std::string& file) {
 
 }  // namespace
 
+void WindowState::step_back(bool ten) {
+  session.step_back(ten ? 10 : 1);
+  const auto oldest = session.past().oldest();
+  if (session.simulation().steps() > oldest.step) return;
+  const auto time = fmt::arg("time", fmt::format("{:.4g}", oldest.time));
+  notice = {say(words().window.past.oldest, time), false, notice_seconds};
+}
+
 void WindowState::save() {
   attempt([&] {
     notice = {about_file(words().window.state_saved, recorder.save(session)), false, notice_seconds};

@@ -43,11 +43,12 @@ struct WindowState {
   Tool tool = Tool::probe;
   std::optional<Point> mouse{};  ///< where it is in the window [pixel]
 
-  void save();          ///< the state, and says where
-  void restore();       ///< the state saved last
-  void write_table();   ///< of all particles as they stand, and says where
-  void write_grid();    ///< the same for ParaView
-  void toggle_video();  ///< begins one, or ends it and says where it is
+  void step_back(bool ten);  ///< and says so where nothing older is kept
+  void save();               ///< the state, and says where
+  void restore();            ///< the state saved last
+  void write_table();        ///< of all particles as they stand, and says where
+  void write_grid();         ///< the same for ParaView
+  void toggle_video();       ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.
   template <class Action>
