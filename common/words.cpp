@@ -173,6 +173,7 @@ constexpr Words english{
     .internal = "compression",
     .mechanical = "mechanical",
     .total = "with what was lost",
+    .measured_points = "u of the particles",
     .compare_side = "{side} is not STAGE/SCENE[:NAME=VALUE,...]",
     .compare_assignment = "{side}: {text} is not NAME=VALUE",
     .compare_two_sides = "a comparison takes two of STAGE/SCENE[:NAME=VALUE,...], not {count}",
@@ -282,7 +283,6 @@ constexpr Words english{
             .automatic = "auto",
             .type_hint = "{meaning}\n{allowed}\nCtrl-click or right-click to type a value",
             .time_step = "Time step",
-            .share_of_limit = "{share} % of the limit {limit} s\n{name}: {formula}",
             .close_to_instability = "close to the limit of stability",
             .beyond_stability = "beyond the limit of stability",
             .view = "View",
@@ -366,6 +366,7 @@ constexpr Words english{
             .does_letters = "larger letters",
             .does_sides = "two methods side by side",
             .does_kernel = "kernel at work on one particle",
+            .does_back = "one step back (with Shift: ten)",
             .sides =
                 {
                     .label = "two sides",
@@ -414,6 +415,24 @@ constexpr Words english{
                     .neighbours = "in reach",
                     .density = "Σ m W = {density} {unit}",
                     .own_density = "ρ = {own}, ρ₀ = {reference}",
+                },
+            .past =
+                {
+                    .back_hint = "One step back, with Shift ten: ←",
+                    .shown_time = "t = {time} s",
+                    .oldest = "t = {time} s is the oldest moment that is kept",
+                    .two_sides = "Two sides have no way back: R starts both anew",
+                },
+            .limits =
+                {
+                    .sets_dt = "{name} sets dt",
+                    .given = "dt is given",
+                    .adaptive = "the scheme divides dt as it needs to",
+                    .hint = "dt = {dt} s is {share} % of {formula} = {limit} s.\n{kind}",
+                    .stable = "Beyond this limit the run diverges.",
+                    .accurate = "Beyond this limit the run is less accurate.",
+                    .smaller_step = "dt = {dt} s",
+                    .step_back = "One step back",
                 },
         },
 };

@@ -43,7 +43,7 @@ struct Words {
       stopped_done, stopped_interrupted, stopped_diverged;
   // runner: tables, plots, pictures
   Word column_name, column_symbol, column_unit, column_default, column_range, column_change, column_meaning,
-      plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total;
+      plot_energies, plot_error, kinetic, potential, elastic, internal, mechanical, total, measured_points;
   // runner: comparison
   Word compare_side, compare_assignment, compare_two_sides, compare_two_ends, compare_units,
       compare_other_particles, compare_other_start, compare_title, compare_side_line, compare_left,
@@ -61,10 +61,10 @@ struct Words {
   struct Window {
     // the buttons and the rows of the panel
     Word run, pause, step, reset, speed, slower_than_asked, scene, preset, integrator, live, restart,
-        defaults, automatic, type_hint, time_step, share_of_limit, close_to_instability, beyond_stability,
-        view, colour_by, lock_range, grid, vectors, plots, letters, dark, cost, particles, step_cost,
-        real_time, picture, video, stop_video, table, grid_file, save, restore, recording, pairs_near,
-        pairs_tested, frames, frame_cost;
+        defaults, automatic, type_hint, time_step, close_to_instability, beyond_stability, view, colour_by,
+        lock_range, grid, vectors, plots, letters, dark, cost, particles, step_cost, real_time, picture,
+        video, stop_video, table, grid_file, save, restore, recording, pairs_near, pairs_tested, frames,
+        frame_cost;
     // what is painted over the scene
     Word particle, position, velocity, speed_of_particle, acceleration, near, velocity_scale, diverged,
         try_another;
@@ -76,7 +76,7 @@ struct Words {
         does_step, does_reset, does_speed, does_scene, does_colour, does_lock, does_grid, does_neighbour,
         does_vectors, does_plots, does_panel, does_view, does_save, does_restore, does_video, does_picture,
         does_help, does_quit, does_select, does_zoom, does_pan, does_type, key_right, does_right,
-        does_language, does_theme, does_letters, does_sides, does_kernel;
+        does_language, does_theme, does_letters, does_sides, does_kernel, does_back;
     // two sides
     struct Sides {
       Word label, offer, right, started, ended;
@@ -95,6 +95,16 @@ struct Words {
           density, own_density;
       constexpr bool operator==(const Kernel&) const = default;
     } kernel;
+    // the time line, and what was before
+    struct Past {
+      Word back_hint, shown_time, oldest, two_sides;
+      constexpr bool operator==(const Past&) const = default;
+    } past;
+    // the limits of dt, and the ways on where one was passed
+    struct Limits {
+      Word sets_dt, given, adaptive, hint, stable, accurate, smaller_step, step_back;
+      constexpr bool operator==(const Limits&) const = default;
+    } limits;
     constexpr bool operator==(const Window&) const = default;
   } window;
 

@@ -182,6 +182,7 @@ inline constexpr Words french{
     .internal = "compression",
     .mechanical = "mécanique",
     .total = "avec les pertes",
+    .measured_points = "u des particules",
     .compare_side = "{side} n'est pas de la forme ÉTAPE/SCÈNE[:NOM=VALEUR,...]",
     .compare_assignment = "{side} : {text} n'est pas de la forme NOM=VALEUR",
     .compare_two_sides = "une comparaison prend deux ÉTAPE/SCÈNE[:NOM=VALEUR,...], et non {count}",
@@ -295,7 +296,6 @@ inline constexpr Words french{
             .automatic = "auto",
             .type_hint = "{meaning}\n{allowed}\nCtrl-clic ou clic droit pour taper une valeur",
             .time_step = "Pas de temps",
-            .share_of_limit = "{share} % de la limite de {limit} s\nlimite {name} : {formula}",
             .close_to_instability = "proche de la limite de stabilité",
             .beyond_stability = "au-delà de la limite de stabilité",
             .view = "Affichage",
@@ -379,6 +379,7 @@ inline constexpr Words french{
             .does_letters = "lettres plus grandes",
             .does_sides = "deux méthodes côte à côte",
             .does_kernel = "le noyau à l'œuvre sur une particule",
+            .does_back = "un pas en arrière (avec Maj : dix)",
             .sides =
                 {
                     .label = "deux côtés",
@@ -411,23 +412,41 @@ inline constexpr Words french{
                     .driving_force = "force motrice",
                     .tank_motion = "mouvement de la cuve",
                 },
-            .kernel =
-                {
-                    .label = "noyau",
-                    .contact_label = "contact",
-                    .none = "Cette scène n'a pas de noyau : aucune particule n'agit sur une autre",
-                    .nobody = "Il n'y a aucune particule à regarder",
-                    .weight = "Noyau V W",
-                    .sum = "Σ V W = {sum}",
-                    .slope = "Pente h V W'",
-                    .gradient = "h |Σ V ∇W| = {sum}",
-                    .fluid = "liquide",
-                    .wall = "paroi",
-                    .contact = "Loi de contact",
-                    .neighbours = "à portée",
-                    .density = "Σ m W = {density} {unit}",
-                    .own_density = "ρ = {own}, ρ₀ = {reference}",
-                },
+            .kernel = {.label = "noyau",
+                       .contact_label = "contact",
+                       .none = "Cette scène n'a pas de noyau : aucune particule n'agit sur une autre",
+                       .nobody = "Il n'y a aucune particule à regarder",
+                       .weight = "Noyau V W",
+                       .sum = "Σ V W = {sum}",
+                       .slope = "Pente h V W'",
+                       .gradient = "h |Σ V ∇W| = {sum}",
+                       .fluid = "liquide",
+                       .wall = "paroi",
+                       .contact = "Loi de contact",
+                       .neighbours = "à portée",
+                       .density = "Σ m W = {density} {unit}",
+                       .own_density =
+                           "ρ = {own},             .past =
+                       {
+                           .back_hint = "Un pas en arrière, dix avec Maj : ←",
+                           .shown_time = "t = {time} s",
+                           .oldest = "t = {time} s est le plus ancien instant conservé",
+                           .two_sides =
+                               "Avec deux côtés on ne revient pas en arrière : R recommence les deux",
+                       },
+                       .limits =
+                           {
+                               .sets_dt = "{name} fixe dt",
+                               .given = "dt imposé",
+                               .adaptive = "le schéma subdivise dt si nécessaire",
+                               .hint = "dt = {dt} s, soit {share} % de {formula} = {limit} s.\n{kind}",
+                               .stable = "Au-delà de cette limite, le calcul diverge.",
+                               .accurate = "Au-delà de cette limite, le calcul est moins précis.",
+                               .smaller_step = "dt = {dt} s",
+                               .step_back = "Un pas en arrière",
+                           },
+                       ρ₀ = {reference} ",
+            },
         },
 };
 

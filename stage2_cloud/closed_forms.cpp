@@ -51,6 +51,7 @@ std::optional<Reference> head_on_collision(const Parameters& p, const Particles&
                    .positions =
                        [=](double t) {
                          const auto at = exact.at(t);
+                         if (!inside(at.x1, y + vy * t) || !inside(at.x2, y + vy * t)) return Vectors(0, 2);
                          Vectors places(2, 2);
                          places << at.x1, y + vy * t, at.x2, y + vy * t;
                          return places;

@@ -22,6 +22,8 @@ Measure front(double spacing) {
 }
 
 Reference dam_break_experiment(const Measure& front, double a, double gravity) {
+  std::vector<std::string> names;
+  for (const auto& experiment : dam_break_fronts) names.emplace_back(experiment.name);
   return {.name = std::string(koshizuka_oka_1996.name),
           .measure = "|front - experiment|/a",
           .unit = "",
@@ -31,10 +33,19 @@ Reference dam_break_experiment(const Measure& front, double a, double gravity) {
                 return std::abs(front.value(s) / a -
                                 koshizuka_oka_1996.front(s.time * std::sqrt(2 * gravity / a)));
               },
-          .positions = {}};
+          .positions =
+              [=](double t) {
+                Vectors fronts = Vectors::Zero(std::ssize(dam_break_fronts), 2);
+                for (Index k = 0; k < fronts.rows(); ++k)
+                  fronts(k, 0) =
+                      a * dam_break_fronts[static_cast<std::size_t>(k)].front(t * std::sqrt(2 * gravity / a));
+                return fronts;
+              },
+          .shape = Shape::marks,
+          .labels = names};
 }
 
-Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height) {
+Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height, double width) {
   const double surface = exact.compressed(height);
   return {.name = "hydrostatic pressure",
           .measure = "L2(p - p_exact)/L2(p_exact)",
@@ -50,7 +61,13 @@ Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height) {
                 }
                 return std::sqrt(wrong / right);
               },
-          .positions = {}};
+          .positions =
+              [=](double /*t*/) {
+                Vectors level(2, 2);
+                level << 0, surface, width, surface;
+                return level;
+              },
+          .shape = Shape::lines};
 }
 
 std::vector<Measure> stretches(const Vectors& start) {
@@ -98,7 +115,8 @@ Reference ellipse(const std::vector<Measure>& stretches, const EllipticalDrop& e
                   outline.row(k) << shape.semi_axis_x * std::cos(angle), shape.semi_axis_y * std::sin(angle);
                 }
                 return outline;
-              }};
+              },
+          .shape = Shape::outline};
 }
 
 void require_inside_tank(Parameters& p, const Tank& tank, const std::vector<Parameter>& sides) {

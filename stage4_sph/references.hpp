@@ -12,7 +12,8 @@ Measure front(double spacing);
 Reference dam_break_experiment(const Measure& front, double a, double gravity);
 
 /// L2 norm of the error of pressure over that of the exact pressure of a column at rest.
-Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height);
+/// `width` is that of the tank [L].
+Reference hydrostatic_pressure(const HydrostaticColumn& exact, double height, double width);
 
 /// How much longer than at the start the drop is along y: by its outermost particle, and by the second moment
 /// of all.

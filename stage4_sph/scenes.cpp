@@ -27,9 +27,10 @@ Setup dam_break(Parameters& p) {
               .model = tank_model(p, std::move(tank.walls)),
               .radius = fluid.spacing / 2,
               .view = {0, tank.width, 0, tank.height},
-              .reference = dam_break_experiment(front(fluid.spacing), a, g),
               .fluid = fluid,
               .measures = {front(fluid.spacing)}};
+  if (std::abs(height - 2 * a) < 1e-9 * a)  // that of the experiments
+    setup.reference = dam_break_experiment(front(fluid.spacing), a, g);
   const ReleasedColumn start{a, height, fluid.state.reference_density, g};
   for (Index i = 0; i < setup.particles.size(); ++i)
     setup.particles.density(i) =
@@ -47,7 +48,7 @@ Setup still_water(Parameters& p) {
               .model = tank_model(p, std::move(tank.walls)),
               .radius = fluid.spacing / 2,
               .view = {0, tank.width, 0, tank.height},
-              .reference = hydrostatic_pressure(at_rest(p), height),
+              .reference = hydrostatic_pressure(at_rest(p), height, tank.width),
               .fluid = fluid,
               .colour_by = "pressure"};
   rest_under_weight(setup.particles, p, height);

@@ -109,7 +109,8 @@ Reference round_drop(const Measure& jump, double sigma, double radius) {
           .positions =
               [=](double) {
                 return circle({0, 0}, radius, 0, 2 * pi);
-              }};
+              },
+          .shape = Shape::outline};
 }
 
 Reference swinging_drop(const Measure& stretch, const DropMode& mode, double deformation) {
@@ -127,7 +128,8 @@ Reference swinging_drop(const Measure& stretch, const DropMode& mode, double def
                 outline.col(0) *= std::exp(deformation * mode.at(t));
                 outline.col(1) *= std::exp(-deformation * mode.at(t));
                 return outline;
-              }};
+              },
+          .shape = Shape::outline};
 }
 
 /// The angle of the cap of a circle that has the drop's area and its centre of mass.
@@ -200,7 +202,8 @@ Setup sessile_drop(Parameters& p) {
                     [=](double) {
                       const double a = cap.radius();
                       return circle({0, -a * std::cos(theta)}, a, pi / 2 - theta, pi / 2 + theta);
-                    }};
+                    },
+                .shape = Shape::outline};
   return setup;
 }
 

@@ -8,6 +8,7 @@
 #include "common/laws/step_limits.hpp"
 #include "common/references/channel_start.hpp"
 #include "common/simulation/fluid_model.hpp"
+#include "stage5_extensions/lines.hpp"
 #include "stage5_extensions/parameters.hpp"
 #include "stage5_extensions/scenes.hpp"
 
@@ -25,7 +26,8 @@ Vectors plates(double length, double depth, double spacing, double support) {
 }
 
 /// |u - u_exact| of the particle that is farthest off, over the fastest speed of the steady flow.
-Reference profile(const ChannelStart& exact, double fastest) {
+Reference profile(const ChannelStart& exact, double fastest, double length) {
+  const double scale = 0.8 * length / fastest;  // of the profile that is drawn
   return {.name = "series solution",
           .measure = "max |u - u_exact|/U",
           .unit = "",
@@ -38,7 +40,12 @@ Reference profile(const ChannelStart& exact, double fastest) {
                       std::max(most, std::abs(s.velocity(i, 0) - exact.velocity(s.position(i, 1), s.time)));
                 return most / fastest;
               },
-          .positions = {}};
+          .positions =
+              [=](double t) {
+                return upright(curve(exact.depth, [=](double y) { return scale * exact.velocity(y, t); }));
+              },
+          .shape = Shape::lines,
+          .measured = [=](const System& s) { return velocity_profile(s, 0, length, scale); }};
 }
 
 /// Backward Euler is of order 1: a flow that has grown for a time t is wrong by about 0.2 dt/t. A five
@@ -70,13 +77,13 @@ Setup between_plates(Parameters& p, double force, double speed) {
   const Period period{.corner = {0, 0}, .length = {length, 0}};
   DummyWalls walls(plates(length, d, fluid.spacing, support), fluid, support, period);
   walls.slide_above(d, speed);
-  Setup setup{
-      .particles = stage4::particles_at(stage4::block(fluid.spacing, 0, length, 0, d), p),
-      .model = {},
-      .radius = fluid.spacing / 2,
-      .view = {0, length, -thick, d + thick},
-      .reference = profile({.depth = d, .viscosity = nu, .force = force, .plate_speed = speed}, fastest),
-      .fluid = fluid};
+  Setup setup{.particles = stage4::particles_at(stage4::block(fluid.spacing, 0, length, 0, d), p),
+              .model = {},
+              .radius = fluid.spacing / 2,
+              .view = {0, length, -thick, d + thick},
+              .reference = profile({.depth = d, .viscosity = nu, .force = force, .plate_speed = speed},
+                                   fastest, length),
+              .fluid = fluid};
   const auto model_with = [&]<class... Viscous>(std::type_identity<Viscous>...) {
     return std::make_unique<FluidModel<WendlandC2, DrivingForce, PressureForce, Viscous..., AcousticStep>>(
         p, DensityForm::continuity, std::move(walls), period);

@@ -12,6 +12,7 @@
 #include "common/references/film_flow.hpp"
 #include "common/references/impinging_jet.hpp"
 #include "common/simulation/fluid_model.hpp"
+#include "stage5_extensions/lines.hpp"
 #include "stage5_extensions/parameters.hpp"
 #include "stage5_extensions/probes.hpp"
 #include "stage5_extensions/scenes.hpp"
@@ -32,6 +33,16 @@ std::unique_ptr<Model> flow_model(Parameters& p, const Vectors& walls, const Flu
 double number_below(Parameters& p, Parameter parameter, double most) {
   parameter.range.high = most;
   return p.number(parameter);
+}
+
+/// The two surfaces of the jet, as far as the plate and its height reach.
+Vectors free_streamlines(const ImpingingJet& exact, double half_plate, double height) {
+  const double near = exact.surface(height);  // x and y may change places
+  Vectors right = curve(half_plate - near, [&](double x) { return exact.surface(near + x); });
+  right.col(0) += near;
+  Vectors left = right;
+  left.col(0) *= -1;
+  return both(left, right);
 }
 
 /// What presses on a level plate with its face at y = 0: the pressure of its first layer, summed up.
@@ -73,6 +84,7 @@ Setup jet(Parameters& p) {
       .measures = {{"plate_force", "kg/s^2", [=](const System& s) { return force_on_plate(s, dx); }}},
       .colour_by = "pressure"};
   setup.particles.velocity.col(1) = -speed;
+  if (p.value("gravity") > 0) return setup;
   const ImpingingJet exact{width, speed, fluid.state.reference_density};
   setup.reference =
       Reference{.name = "free streamlines",
@@ -80,7 +92,8 @@ Setup jet(Parameters& p) {
                 .unit = "",
                 .source = "Milne-Thomson, Theoretical Hydrodynamics, 11.42",
                 .error = [=](const System& s) { return std::abs(force_on_plate(s, dx) / exact.force() - 1); },
-                .positions = {}};
+                .positions = [=](double /*t*/) { return free_streamlines(exact, half_plate, height); },
+                .shape = Shape::lines};
   return setup;
 }
 
@@ -106,6 +119,7 @@ Setup open_channel(Parameters& p) {
   stage4::rest_under_weight(setup.particles, p, depth);
   for (Index i = 0; i < setup.particles.size(); ++i)
     setup.particles.velocity(i, 0) = exact.velocity(setup.particles.position(i, 1));
+  const double scale = 0.3 * length / fastest;  // of the profile that is drawn
   const auto middle = [=](double x) { return soft_strip(x - length / 2, 0.2 * length); };
   setup.measures = {{"flow_rate", "L^2/s", [=](const System& s) {
                        double sum = 0;
@@ -113,22 +127,30 @@ Setup open_channel(Parameters& p) {
                          sum += middle(s.position(i, 0)) * s.velocity(i, 0) / s.density(i);
                        return s.particles.uniform_mass * sum;
                      }}};
-  setup.reference = Reference{.name = "film on a slope",
-                              .measure = "rms of u - u_exact over U, around the middle",
-                              .unit = "",
-                              .source = "Nusselt 1916; Bird, Stewart & Lightfoot, section 2.2",
-                              .error =
-                                  [=](const System& s) {
-                                    double sum = 0, count = 0;
-                                    for (Index i = 0; i < s.particles.size(); ++i) {
-                                      const double y = std::min(s.position(i, 1), depth);
-                                      const double share = middle(s.position(i, 0));
-                                      sum += share * std::pow(s.velocity(i, 0) - exact.velocity(y), 2);
-                                      count += share;
-                                    }
-                                    return std::sqrt(sum / count) / fastest;
-                                  },
-                              .positions = {}};
+  setup.reference = Reference{
+      .name = "film on a slope",
+      .measure = "rms of u - u_exact over U, around the middle",
+      .unit = "",
+      .source = "Nusselt 1916; Bird, Stewart & Lightfoot, section 2.2",
+      .error =
+          [=](const System& s) {
+            double sum = 0, count = 0;
+            for (Index i = 0; i < s.particles.size(); ++i) {
+              const double y = std::min(s.position(i, 1), depth);
+              const double share = middle(s.position(i, 0));
+              sum += share * std::pow(s.velocity(i, 0) - exact.velocity(y), 2);
+              count += share;
+            }
+            return std::sqrt(sum / count) / fastest;
+          },
+      .positions =
+          [=](double /*t*/) {
+            const auto profile =
+                upright(curve(depth, [=](double y) { return length / 2 + scale * exact.velocity(y); }));
+            return both(profile, curve(length, [=](double) { return depth; }));
+          },
+      .shape = Shape::lines,
+      .measured = [=](const System& s) { return velocity_profile(s, length / 2, 0.1 * length, scale); }};
   return setup;
 }
 
@@ -167,16 +189,17 @@ Setup draining(Parameters& p) {
     return volume / width;
   };
   setup.measures = {{"level", "L", level}};
-  setup.reference = Reference{.name = "Torricelli's law",
-                              .measure = "|sqrt(h) - sqrt(h_exact)|/sqrt(h0)",
-                              .unit = "",
-                              .source = "Kirchhoff 1869; Lamb, Hydrodynamics, art. 75",
-                              .error =
-                                  [=](const System& s) {
-                                    return std::abs(std::sqrt(level(s)) - std::sqrt(exact.level(s.time))) /
-                                           std::sqrt(depth);
-                                  },
-                              .positions = {}};
+  setup.reference = Reference{
+      .name = "Torricelli's law",
+      .measure = "|sqrt(h) - sqrt(h_exact)|/sqrt(h0)",
+      .unit = "",
+      .source = "Kirchhoff 1869; Lamb, Hydrodynamics, art. 75",
+      .error =
+          [=](const System& s) {
+            return std::abs(std::sqrt(level(s)) - std::sqrt(exact.level(s.time))) / std::sqrt(depth);
+          },
+      .positions = [=](double t) { return curve(width, [=](double) { return exact.level(t); }); },
+      .shape = Shape::lines};
   return setup;
 }
 

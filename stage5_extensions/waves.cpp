@@ -12,6 +12,7 @@
 #include "common/references/waves.hpp"
 #include "common/simulation/fluid_model.hpp"
 #include "stage4_sph/references.hpp"
+#include "stage5_extensions/lines.hpp"
 #include "stage5_extensions/parameters.hpp"
 #include "stage5_extensions/probes.hpp"
 #include "stage5_extensions/scenes.hpp"
@@ -51,6 +52,9 @@ std::unique_ptr<Model> water_model(Parameters& p, DummyWalls walls) {
                                                                         std::move(walls));
 }
 
+/// Where the surface is at rest: the liquid is pressed together by its own weight.
+double surface(const Parameters& p, double depth) { return stage4::at_rest(p).compressed(depth); }
+
 /// How much of the surface is a wave of wave number k, eta = a cos(k x): a = 2/L sum_j V_j cos(k x_j), the
 /// integral of the wave over the liquid.
 Measure amplitude_of(double k, double width) {
@@ -89,17 +93,22 @@ Setup standing_wave(Parameters& p) {
   setup.measures = {amplitude};
   if (a == 0) return std::move(setup);
   const auto wave = nu > 0 ? viscous_wave(g, k, nu) : ViscousWave{wave_frequency(g, k, depth), 0};
-  setup.reference = Reference{.name = "linear wave",
-                              .measure = "|a - a_exact|/a_0",
-                              .unit = "",
-                              .source = "Lamb, Hydrodynamics, art. 228 and 349",
-                              .error =
-                                  [=](const System& s) {
-                                    const double exact = a * std::exp(-wave.decay * s.time) *
-                                                         std::cos(wave.frequency * s.time);
-                                    return std::abs(amplitude.value(s) - exact) / a;
-                                  },
-                              .positions = {}};
+  setup.reference = Reference{
+      .name = "linear wave",
+      .measure = "|a - a_exact|/a_0",
+      .unit = "",
+      .source = "Lamb, Hydrodynamics, art. 228 and 349",
+      .error =
+          [=](const System& s) {
+            const double exact = a * std::exp(-wave.decay * s.time) * std::cos(wave.frequency * s.time);
+            return std::abs(amplitude.value(s) - exact) / a;
+          },
+      .positions =
+          [=, width = tank.width, level = surface(p, depth)](double t) {
+            const double now = a * std::exp(-wave.decay * t) * std::cos(wave.frequency * t);
+            return curve(width, [=](double x) { return level + now * std::cos(k * x); });
+          },
+      .shape = Shape::lines};
   return std::move(setup);
 }
 
@@ -123,16 +132,21 @@ Setup sloshing(Parameters& p) {
   const double greatest = exact.greatest(6 * pi / exact.natural_frequency(1));
   // Half of left less right, for the lattice settles beside the walls in the same way on either side; over
   // the greatest in three natural periods.
-  setup.reference = Reference{.name = "linear sloshing",
-                              .measure = "|eta - eta_exact|/eta_max",
-                              .unit = "",
-                              .source = "Faltinsen & Timokha 2009, Sloshing, chapter 5",
-                              .error =
-                                  [=](const System& s) {
-                                    const double eta = (left.value(s) - right.value(s)) / 2;
-                                    return std::abs(eta - exact.elevation(0, s.time)) / greatest;
-                                  },
-                              .positions = {}};
+  setup.reference =
+      Reference{.name = "linear sloshing",
+                .measure = "|eta - eta_exact|/eta_max",
+                .unit = "",
+                .source = "Faltinsen & Timokha 2009, Sloshing, chapter 5",
+                .error =
+                    [=](const System& s) {
+                      const double eta = (left.value(s) - right.value(s)) / 2;
+                      return std::abs(eta - exact.elevation(0, s.time)) / greatest;
+                    },
+                .positions =
+                    [=, width = tank.width, level = surface(p, depth)](double t) {
+                      return curve(width, [=](double x) { return level + exact.elevation(x, t); });
+                    },
+                .shape = Shape::lines};
   return std::move(setup);
 }
 

@@ -21,4 +21,9 @@ double ImpingingJet::pressure(double x) const {
   return density * speed * speed / 2 * (1 - slow * slow);
 }
 
+double ImpingingJet::surface(double x) const {
+  const double pi = std::numbers::pi;
+  return width * (0.5 + std::asinh(1 / std::sinh(pi * (x / width - 0.5))) / pi);
+}
+
 }  // namespace clapotis

@@ -107,9 +107,16 @@ void add_ghosts(Picture& picture, const Simulation& simulation) {
   const auto& reference = simulation.setup().reference;
   if (!reference || !reference->positions) return;
   const Vectors positions = reference->positions(simulation.time());
-  if (positions.rows() == 0 || !positions.allFinite()) return;
-  picture.ghosts = Ghosts{positions.col(0), positions.col(1), std::string(called(reference->name)),
-                          positions.rows() != simulation.particles().size()};
+  if (positions.rows() == 0 || positions.isNaN().all()) return;
+  Ghosts ghosts{positions.col(0), positions.col(1), std::string(called(reference->name)), reference->shape,
+                reference->labels};
+  if (reference->measured) {
+    const Vectors measured = reference->measured(simulation.system());
+    ghosts.measured_x = measured.col(0);
+    ghosts.measured_y = measured.col(1);
+    ghosts.measured_label = std::string(words().measured_points);
+  }
+  picture.ghosts = std::move(ghosts);
 }
 
 void add_grid(Picture& picture, Simulation& simulation) {
@@ -122,8 +129,12 @@ std::string error_note(const Simulation& simulation) {
   const auto& reference = simulation.setup().reference;
   const double error = simulation.error();
   if (!reference || !std::isfinite(error)) return {};
-  const auto unit = reference->unit.empty() ? "" : " " + reference->unit;
-  return fmt::format("{} = {:.2e}{}", called(reference->measure), error, unit);
+  const auto measure = std::string(called(reference->measure)), unit = reference->unit;
+  const auto what = reference->shape == Shape::marks  // of several
+                        ? fmt::format("{}: {}", called(reference->name), measure)
+                        : measure;
+  if (unit.empty() && error >= 1e-4) return fmt::format("{} = {:.2f} %", what, 100 * error);
+  return fmt::format("{} = {:.2e}{}", what, error, unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace

@@ -56,15 +56,23 @@ Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) 
 
 }  // namespace
 
+Sample History::sample(const Simulation& simulation, const Energy& energy) {
+  return {simulation.time(), energy, simulation.error(), max_speed(simulation.particles())};
+}
+
 void History::add(const Simulation& simulation, const Energy& energy) {
-  latest_ = {simulation.time(), energy, simulation.error(), max_speed(simulation.particles())};
+  latest_ = sample(simulation, energy);
   largest_error_ = std::fmax(largest_error_, latest_.error);
   largest_speed_ = std::fmax(largest_speed_, latest_.max_speed);
   kept_.add(latest_);
 }
 
+void History::cut() { kept_.replace(samples()); }
+
 std::vector<Sample> History::samples() const {
-  auto all = kept_.kept();
+  const auto& kept = kept_.kept();
+  const auto later = std::ranges::upper_bound(kept, latest_.time, {}, &Sample::time);
+  std::vector<Sample> all(kept.begin(), later);
   if (!all.empty() && all.back().time < latest_.time) all.push_back(latest_);
   return all;
 }

@@ -24,8 +24,12 @@ class History {
   /// For who has counted the energy already, which costs as much as a step.
   void add(const Simulation& simulation, const Energy& energy);
   void clear() { *this = {}; }
+  /// Goes back to an instant of the run, or on to one: what lies behind it is not shown, but stays.
+  void show(Simulation& simulation) { latest_ = sample(simulation, simulation.energy()); }
+  /// Forgets what lies behind the instant that is shown: the run goes on from there in another way.
+  void cut();
 
-  /// The samples kept, and always the latest one; time grows.
+  /// The samples kept up to the instant that is shown, and always that one; time grows.
   [[nodiscard]] std::vector<Sample> samples() const;
   [[nodiscard]] const Sample& first() const { return kept_.kept().front(); }
   [[nodiscard]] const Sample& latest() const { return latest_; }
@@ -34,6 +38,8 @@ class History {
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
 
  private:
+  static Sample sample(const Simulation& simulation, const Energy& energy);
+
   Thinned<Sample> kept_;
   Sample latest_;
   double largest_error_ = std::numeric_limits<double>::quiet_NaN(), largest_speed_ = 0;

@@ -136,25 +136,17 @@ void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& vie
   const double middle = view.scene.corner.y + view.scene.extent.y + footer_height(scale) / 2;
   const double baseline = middle + 0.36 * height;
   const double right = view.area.corner.x + view.area.extent.x - ink::margin * scale;
-  const auto room = [&](double x) { return right - x; };
-  // Of one of two pictures there is no room for both: its error says more than its size.
-  const bool measured = picture.legend || picture.note.empty();
-  double x = measured ? paint_ruler(canvas, picture, view, middle) : view.area.corner.x - 14 * scale;
-  const auto key = [&](Colour colour, double hole, const std::string& label) {
+  double x = paint_ruler(canvas, picture, view, middle);
+  const auto key = [&](Colour colour, const std::string& label) {
     x += 34 * scale;
     const double radius = 9 * scale;
-    const std::array sign{Disc{{x + radius, middle}, radius, colour, hole * radius}};
-    canvas.discs(sign);
+    canvas.discs(std::array{Disc{{x + radius, middle}, radius, colour, 0.6 * radius}});
     x += 2 * radius + 8 * scale;
-    ink::fitted_text(canvas, {x, baseline}, label, height, room(x), ink::text);
-    x += std::min(room(x), canvas.text_width(label, height));
+    ink::fitted_text(canvas, {x, baseline}, label, height, right - x, ink::text);
+    x += std::min(right - x, canvas.text_width(label, height));
   };
-  if (picture.ghosts) key(ink::ghost, 0.72, picture.ghosts->label);
-  if (picture.chosen && !picture.chosen->label.empty()) key(ink::chosen, 0.6, picture.chosen->label);
-  if (picture.chosen && !picture.chosen->in_vain.empty())
-    key(ink::in_vain, 0.6, picture.chosen->in_vain_label);
-  x += 24 * scale;
-  ink::fitted_text(canvas, {right, baseline}, picture.note, height, room(x), ink::text, Align::right);
+  if (picture.chosen && !picture.chosen->label.empty()) key(ink::chosen, picture.chosen->label);
+  if (picture.chosen && !picture.chosen->in_vain.empty()) key(ink::in_vain, picture.chosen->in_vain_label);
 }
 
 }  // namespace clapotis

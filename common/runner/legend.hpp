@@ -4,7 +4,7 @@
 
 namespace clapotis {
 
-// What stands around the scene of a picture, never over it.
+// What stands around the scene of a picture, never over it. (Over it there is only what its reference says.)
 
 [[nodiscard]] bool has_legend(const Picture& picture);
 [[nodiscard]] double header_height(double width, double scale, bool has_colours);
@@ -17,7 +17,7 @@ void paint_header(Canvas& canvas, const Picture& picture, const PictureView& vie
 void paint_common_header(Canvas& canvas, const std::string& title, const std::string& subtitle,
                          const Picture& picture, const PictureView& view);
 
-/// Ruler, what the marks mean, note.
+/// Ruler, what the marks mean.
 void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& view);
 
 }  // namespace clapotis

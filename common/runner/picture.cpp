@@ -8,6 +8,7 @@
 #include "common/runner/ink.hpp"
 #include "common/runner/legend.hpp"
 #include "common/runner/paint_inside.hpp"
+#include "common/runner/reference_marks.hpp"
 
 namespace clapotis {
 namespace {
@@ -28,8 +29,12 @@ void require_matching_sizes(const Picture& picture) {
   demand(picture.y.size() == n, "a picture's y needs as many entries as its x");
   demand(picture.value.size() == 0 || picture.value.size() == n,
          "a picture's value needs as many entries as its x, or none");
-  demand(!picture.ghosts || picture.ghosts->x.size() == picture.ghosts->y.size(),
+  demand(!picture.ghosts || (picture.ghosts->x.size() == picture.ghosts->y.size() &&
+                             picture.ghosts->measured_x.size() == picture.ghosts->measured_y.size()),
          "a picture's ghosts need as many y as x");
+  demand(!picture.ghosts || picture.ghosts->shape != Shape::marks ||
+             std::ssize(picture.ghosts->labels) == picture.ghosts->x.size(),
+         "a picture's marks need as many labels as points");
   demand(!picture.chosen || exists(picture.chosen->particle), "a picture's chosen particle does not exist");
   demand(!picture.chosen || std::ranges::all_of(picture.chosen->neighbours, exists),
          "a neighbour of a picture's chosen particle does not exist");
@@ -129,6 +134,7 @@ void Painter::paint_scene(Canvas& canvas, const Picture& picture, const PictureV
   paint_solids(canvas, picture, view);
   if (picture.liquid) walls();  // they cut off straight what closes the gaps of the liquid
   paint_marks(canvas, picture, view);
+  paint_reference(canvas, picture, view);
   paint_forces(canvas, picture, view);
   paint_facts(canvas, picture, view);
   paint_alarm(canvas, picture, view);
@@ -202,29 +208,9 @@ void Painter::paint_alarm(Canvas& canvas, const Picture& picture, const PictureV
   }
 }
 
-/// Ghosts, and who is near the chosen particle: rings, so that the particles below stay visible.
+/// Who is near the chosen particle: rings, so that the particles below stay visible.
 void Painter::paint_marks(Canvas& canvas, const Picture& picture, const PictureView& view) {
-  const double scale = view.scale, disc = picture.radius * view.pixels_per_unit;
-  const double radius = std::max(disc, smallest_mark * scale);
-  const auto ring = [&](Point centre, double outer, double width, Colour colour) {
-    const Disc mark{centre, outer, colour, std::max(0.0, outer - width)};
-    if (is_seen(mark, view.scene)) discs_.push_back(mark);
-  };
   discs_.clear();
-  if (picture.ghosts) {
-    const auto& [x, y, label, outline] = *picture.ghosts;
-    points_.clear();
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      points_.push_back(view.to_pixel(x[i], y[i]));
-      if (outline) continue;
-      ring(points_.back(), radius, radius, translucent(ink::ghost, 0.12F));
-      ring(points_.back(), radius, 2.5 * scale, ink::ghost);
-    }
-    if (outline && !points_.empty()) {
-      points_.push_back(points_.front());
-      canvas.line(points_, ink::ghost, 2.5 * scale);
-    }
-  }
   add_chosen_rings(picture, view, discs_);
   canvas.discs(discs_);
   paint_support(canvas, picture, view);

@@ -8,6 +8,7 @@
 #include "common/runner/canvas.hpp"
 #include "common/runner/colour_map.hpp"
 #include "common/runner/inside.hpp"
+#include "common/simulation/shape.hpp"
 
 namespace clapotis {
 
@@ -24,11 +25,14 @@ struct SolidSides {
   bool left = false, right = false, bottom = false, top = false;
 };
 
-/// Where the reference solution has the particles.
+/// What the reference solution has, over what the run has.
 struct Ghosts {
-  Eigen::ArrayXd x, y;   ///< [length unit]
-  std::string label;     ///< "closed form"
-  bool outline = false;  ///< the points are those of a closed line, not of particles
+  Eigen::ArrayXd x, y;  ///< [length unit]
+  std::string label;    ///< "closed form"
+  Shape shape = Shape::particles;
+  std::vector<std::string> labels = {};             ///< of the marks, one for each point
+  Eigen::ArrayXd measured_x = {}, measured_y = {};  ///< what the run has in place of its lines
+  std::string measured_label = {};
 };
 
 /// What is to be seen, apart from how a simulation found it: plain data in the scene's unit of length, y up.
@@ -49,7 +53,7 @@ struct Picture {
   std::optional<double>
       cell;  ///< side of the square cells of the neighbour search, at multiples of it [length unit]
   std::optional<Chosen> chosen;
-  std::string note;  ///< "error of y: 1.2e-6 m (closed form)"
+  std::string note;  ///< how far the run is from its reference: "|y - y_exact| = 1.2e-6 m"
   // of one of two that stand side by side
   bool legend = true;          ///< of its colours; otherwise one stands above both
   std::optional<Colour> mark;  ///< beside its title: the colour of its curves in the plots

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace clapotis {
@@ -18,6 +19,7 @@ class Thinned {
     kept_.resize((kept_.size() + 1) / 2);
     stride_ *= 2;
   }
+  void replace(std::vector<Sample> kept) { kept_ = std::move(kept); }
   [[nodiscard]] const std::vector<Sample>& kept() const { return kept_; }
 
  private:

@@ -113,7 +113,8 @@ class FluidModel final : public Model {
   void pass_state(StateBytes& state) override {
     auto obstacles = obstacles_;
     state(obstacles);
-    if (state.reads() && obstacles.rows() > 0) put_obstacles(obstacles);
+    const bool others = obstacles.rows() != obstacles_.rows() || (obstacles != obstacles_).any();
+    if (state.reads() && others) put_obstacles(obstacles);
     if (auto* mine = hand())
       state(mine->touch.at.x, mine->touch.at.y, mine->touch.pull, mine->touch.shake.x, mine->touch.shake.y);
   }

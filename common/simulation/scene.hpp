@@ -11,6 +11,7 @@
 #include "common/laws/fluid.hpp"
 #include "common/simulation/model.hpp"
 #include "common/simulation/parameters.hpp"
+#include "common/simulation/shape.hpp"
 
 namespace clapotis {
 
@@ -22,9 +23,14 @@ struct Reference {
   std::string source;  ///< author, year, or how it follows
   /// Error of the state as it stands; NaN where the reference does not hold (any more).
   std::function<double(const System&)> error;
-  /// Where the reference has the particles at time t, n x 2: drawn beside them. Another number of points is
-  /// the outline of all.
+  /// What of the reference can be drawn over the scene at time t, n x 2 [L]: points, of which `shape` says
+  /// what they are; none where it does not hold (any more).
   std::function<Vectors(double t)> positions;
+  Shape shape = Shape::particles;
+  std::vector<std::string> labels = {};  ///< of the marks, one for each row
+  /// What the run has where the reference has lines, where the particles themselves do not show it: points
+  /// n x 2 [L].
+  std::function<Vectors(const System&)> measured = {};
 };
 
 /// A number that is worth following in a scene, for example the front of a dam break.

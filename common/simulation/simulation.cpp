@@ -49,6 +49,7 @@ Simulation::Simulation(const Scene& scene, const Overrides& overrides, std::stri
   if (setup_.matter() == Matter::particles) parameters_.number(tolerance_parameter);
   parameters_.reject_unknown();
   if (threads < 1) throw BadInput(say(words().threads_out_of_range, fmt::arg("value", threads)));
+  reference_ = setup_.reference;
   setup_.particles.threads = threads;
   system_ = std::make_unique<System>(std::move(setup_.particles), *setup_.model);
   use_integrator(integrator);
@@ -72,6 +73,7 @@ void Simulation::use_integrator(std::string_view name) {
                                       : std::move(scheme);
   integrator_->read(parameters_);
   integrator_name_ = name;
+  ++interventions_;
   system_->current = false;
   if (checkpoint_) keep();
 }
@@ -116,7 +118,9 @@ void Simulation::set(std::string_view name, std::string_view value, Origin origi
     integrator_->read(parameters_);
     throw;
   }
+  if (changes_.empty()) unchanged_ = before;
   note_change(name, value, origin);
+  ++interventions_;
   system_->current = false;
   keep();
 }
@@ -125,6 +129,7 @@ void Simulation::edit(const std::function<void(System&)>& change) {
   auto& s = *system_;
   const double before = energy().mechanical();
   change(s);
+  ++interventions_;
   s.dissipated_energy += before - energy().mechanical();
   setup_.reference.reset();
   s.evaluate(s.time);

@@ -42,8 +42,11 @@ class Simulation {
 
   /// Writes all that the next steps depend on, or reads it: the run then goes on from there with the bits
   /// that it would have had. Reading is for a simulation built from the same scene, `built_from` and
-  /// integrator, by the same program; it throws ForeignState otherwise, or BadInput, and is of no use then.
+  /// integrator, by the same program, however far it has run; it throws ForeignState otherwise, or BadInput,
+  /// and is of no use then.
   void pass_state(StateBytes& state);
+  /// How often somebody stepped in: what a run comes to from one state on depends on nothing else.
+  [[nodiscard]] long interventions() const { return interventions_; }
 
   /// Calls `look` with accelerations that belong to the positions and velocities as they stand, without the
   /// walls' reaction; what follows is as if nobody had looked.
@@ -108,14 +111,16 @@ class Simulation {
   Scene scene_;
   Overrides built_from_;
   Parameters parameters_;
+  std::optional<Parameters> unchanged_;  ///< as they were before the first live change
   Setup setup_;
+  std::optional<Reference> reference_;  ///< that the scene has, as long as nobody steps in
   std::unique_ptr<System> system_;
   std::string integrator_name_;
   std::unique_ptr<Integrator> integrator_;
   std::vector<StepLimit> limits_;
   double dt_ = 0, sound_speed_ = 0;
   double fastest_ = 0;  ///< a particle beyond this speed has gained energy from nowhere; 0: unknown [L/s]
-  long steps_ = 0;
+  long steps_ = 0, interventions_ = 0;
   Clock clock_;
   std::unique_ptr<Checkpoint> checkpoint_;
   std::vector<double> taken_;  ///< the steps since the checkpoint [s]

@@ -27,10 +27,17 @@ void Simulation::note_change(std::string_view name, std::string_view value, Orig
 }
 
 void Simulation::pass_changes(StateBytes& state) {
-  auto changes = changes_;
+  const auto changes = changes_;
   auto count = changes.size();
   state(count);
-  if (state.reads()) changes.clear();
+  const bool changed = !changes.empty() || count > 0;
+  if (state.reads() && changed) {  // from the parameters as they were before any of them
+    if (unchanged_)
+      parameters_ = *unchanged_;
+    else
+      unchanged_ = parameters_;
+    changes_.clear();
+  }
   for (std::size_t k = 0; k < count; ++k) {
     auto change = state.reads() ? LiveChange{} : changes[k];
     state(change.name, change.value, change.origin);
@@ -38,7 +45,7 @@ void Simulation::pass_changes(StateBytes& state) {
     parameters_.set(change.name, change.value, change.origin);
     note_change(change.name, change.value, change.origin);
   }
-  if (!state.reads() || count == 0) return;
+  if (!state.reads() || !changed) return;
   setup_.model->refresh(parameters_);
   integrator_->read(parameters_);
 }
@@ -56,9 +63,9 @@ void Simulation::pass_state(StateBytes& state) {
   model.pass_state(state);
   bool referred = setup_.reference.has_value();  // it is none after an edit by hand
   state(referred);
-  if (!referred) setup_.reference.reset();
   state.end();
   if (!state.reads()) return;
+  setup_.reference = referred ? reference_ : std::nullopt;
   choose_step();  // the limits
   dt_ = dt;
   keep();

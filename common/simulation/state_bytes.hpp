@@ -25,9 +25,17 @@ class StateBytes {
   StateBytes() = default;
   /// Reads from what another one wrote.
   explicit StateBytes(std::string bytes) : bytes_(std::move(bytes)), reads_(true) {}
+  /// Writes over what is in `used`, whose memory serves again.
+  [[nodiscard]] static StateBytes over(std::string used) {
+    StateBytes state;
+    state.bytes_ = std::move(used);
+    state.bytes_.clear();
+    return state;
+  }
 
   [[nodiscard]] bool reads() const { return reads_; }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
+  [[nodiscard]] std::string take() && { return std::move(bytes_); }
 
   /// Writes or reads each of them, in this order: numbers, words, Eigen's arrays, lists of such. Throws
   /// ForeignState when there are too few bytes.

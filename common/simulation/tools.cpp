@@ -64,6 +64,12 @@ void shake_tank(Simulation& simulation, const Vector& acceleration) {
   simulation.edit([&](System& s) { s.model.hand()->touch.shake = acceleration; });
 }
 
+void let_go(Simulation& simulation) {
+  const auto& touch = simulation.model().hand()->touch;
+  if (touch.pull == 0 && norm(touch.shake) == 0) return;
+  simulation.edit([](System& s) { s.model.hand()->touch = {}; });
+}
+
 void add_drop(Simulation& simulation, const Vector& at, double radius) {
   const double dx = simulation.setup().fluid->spacing;
   const Vectors walls = wall_places(simulation);

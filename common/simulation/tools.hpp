@@ -11,6 +11,8 @@ namespace clapotis {
 void hold_hand(Simulation& simulation, const Vector& at, double pull);
 /// Moves the tank with this acceleration from now on [L/s^2].
 void shake_tank(Simulation& simulation, const Vector& acceleration);
+/// Neither, if it did one of them.
+void let_go(Simulation& simulation);
 /// Adds a drop of liquid at rest, around `at`, where there is room for it.
 void add_drop(Simulation& simulation, const Vector& at, double radius);
 /// Takes away the liquid and the obstacles around `at`.

@@ -12,6 +12,8 @@ using W = Words::Window;
 
 void step(WindowState& state, bool shift) { state.session.step(shift ? 10 : 1); }
 
+void step_back(WindowState& state, bool shift) { state.step_back(shift); }
+
 void change_scene(WindowState& state, int direction) {
   const std::size_t count = state.session.stage().scenes.size();
   const std::size_t forward = direction > 0 ? 1 : count - 1;
@@ -40,10 +42,11 @@ void select(WindowState& state, int direction) {
 
 void other_theme() { ink::use(ink::theme() == ink::Theme::light ? ink::Theme::dark : ink::Theme::light); }
 
-constexpr std::array<Shortcut, 30> table{{
+constexpr std::array<Shortcut, 31> table{{
     {Key::space, 0, "Space", &W::does_pause, [](WindowState& s, bool) { s.session.toggle_pause(); }},
     {Key::n, 0, "N", &W::does_step, step, true},
     {Key::right, 0, "→", &W::does_step, step, true},
+    {Key::left, 0, "←", &W::does_back, step_back, true},
     {Key::r, 0, "R", &W::does_reset, [](WindowState& s, bool) { s.attempt([&] { s.session.reset(); }); }},
     {Key::up, 0, "↑", &W::does_speed, [](WindowState& s, bool) { s.session.change_speed(1); }},
     {Key::down, 0, "↓", &W::does_speed, [](WindowState& s, bool) { s.session.change_speed(-1); }},

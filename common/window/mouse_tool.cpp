@@ -51,6 +51,7 @@ bool MouseTool::handle(WindowState& state, const PictureView& view, const Input&
 
 void MouseTool::begin(WindowState& state, const PictureView& view, Tool tool, Point at) {
   tool_ = tool;
+  left_behind_ = false;
   begun_ = at;
   apply(state, view, at);
 }
@@ -101,10 +102,15 @@ void MouseTool::apply(WindowState& state, const PictureView& view, Point at) {
 
 void MouseTool::follow(WindowState& state) {
   auto& session = state.session;
-  if (std::exchange(starts_, session.starts()) != session.starts()) {
+  if (std::exchange(leaps_, session.leaps()) != session.leaps()) {
     tank_ = speed_ = wanted_ = {0, 0};
     tool_.reset();
     state.sight.tank.setZero();
+    left_behind_ = has_hand(session.simulation());
+  }
+  if (left_behind_ && !session.paused()) {
+    left_behind_ = false;
+    let_go(session.simulation());
   }
   const double dt = session.work().simulated;
   const bool calm = norm(speed_) == 0 && norm(tank_ - wanted_) == 0;

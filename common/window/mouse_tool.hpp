@@ -26,7 +26,8 @@ class MouseTool {
   Point begun_{}, applied_{};  ///< where the button went down, and where the tool last did something [pixel]
   Vector wanted_{0, 0};        ///< where the mouse wants the tank [L]
   Vector tank_{0, 0}, speed_{0, 0};  ///< where it is, and how fast [L], [L/s]
-  long starts_ = 0;
+  long leaps_ = 0;
+  bool left_behind_ = false;  ///< what the hand does belongs to a past moment
 };
 
 }  // namespace clapotis

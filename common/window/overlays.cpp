@@ -62,7 +62,7 @@ float text_room(const Box& area, double scale) {
 void lay_out_divergence(WindowState& state, const Box& area, Controls& controls) {
   const auto& reason = state.session.diverged();
   if (!reason || state.session.sides() != nullptr) return;  // of two sides each says it in its own half
-  begin_box("divergence", area, 0.5F, 0.4F);
+  begin_box("divergence", area, 0.5F, 0.97F);  // over the plots: the scene shows where it happened
   {
     theme::Bold bold;
     ImGui::TextColored(theme::vec(theme::warning), "%s", std::string(w().diverged).c_str());
@@ -74,10 +74,15 @@ void lay_out_divergence(WindowState& state, const Box& area, Controls& controls)
     controls.name_last(name);
     return now;
   };
-  bool reset = pressed(std::string(w().reset), "diverged:reset");
+  const auto smaller =
+      say(w().limits.smaller_step, fmt::arg("dt", fmt::format("{:.2g}", state.session.half_step())));
+  const bool reset = pressed(std::string(w().reset), "diverged:reset");
   ImGui::SameLine();
+  const bool back = pressed(std::string(w().limits.step_back), "diverged:back");
   ImGui::AlignTextToFramePadding();
   text(w().try_another);
+  ImGui::SameLine();
+  const bool halve = pressed(smaller, "diverged:dt");
   std::string other;
   for (const auto& name : integrator_names(state.session.simulation().setup().matter())) {
     if (name == state.session.simulation().integrator()) continue;
@@ -88,6 +93,8 @@ void lay_out_divergence(WindowState& state, const Box& area, Controls& controls)
   }
   end_box();
   if (reset) state.attempt([&] { state.session.reset(); });
+  if (back) state.step_back(false);
+  if (halve) state.attempt([&] { state.session.halve_step(); });
   if (!other.empty()) state.attempt([&] { state.session.choose_integrator(other); });
 }
 

@@ -6,7 +6,7 @@
 #include "common/simulation/tools.hpp"
 #include "common/window/combo.hpp"
 #include "common/window/kernel_view.hpp"
-#include "common/window/step_light.hpp"
+#include "common/window/limit_rows.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
@@ -28,14 +28,16 @@ void fact(const std::string& left, const std::string& right) {
   text(right);
 }
 
-void heading(std::string_view words, const std::string& right = {}) {
+void heading(std::string_view words, const std::string& right = {}, Colour colour = theme::ink) {
   {
     theme::Bold bold;
     const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     text(words);
     if (!right.empty()) {
       ImGui::SameLine(end - ImGui::CalcTextSize(right.c_str()).x);
+      ImGui::PushStyleColor(ImGuiCol_Text, theme::vec(colour));
       text(right);
+      ImGui::PopStyleColor();
     }
   }
   ImGui::Separator();
@@ -180,27 +182,10 @@ void Panel::parameters(WindowState& state) {
 }
 
 void Panel::time_step(WindowState& state) {
-  heading(w().time_step);
+  const auto [sentence, colour] = about_step(state.session.simulation());
+  heading(w().time_step, sentence, colour);
   rows_.lay_out(state, controls_, ParameterRows::Group::time_step);
-  const auto& simulation = state.session.simulation();
-  const auto light = step_light(simulation);
-  const auto reason = say(w().share_of_limit, fmt::arg("share", fmt::format("{:.0f}", 100 * light.share)),
-                          fmt::arg("limit", three_digits(light.limit.limit)),
-                          fmt::arg("name", called(light.limit.name, Naming::limit)),
-                          fmt::arg("formula", light.limit.formula));
-  using enum StepLight::Colour;
-  const Colour colour = light.colour == red     ? theme::warning
-                        : light.colour == amber ? theme::caution
-                                                : theme::faint;
-  ImGui::PushTextWrapPos(0);
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::vec(colour));
-  text(reason);
-  if (light.colour != calm) {
-    theme::Bold bold;
-    text(light.colour == red ? w().beyond_stability : w().close_to_instability);
-  }
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
+  lay_out_limits(state, controls_);
 }
 
 void Panel::view(WindowState& state) {

@@ -33,15 +33,15 @@ void Recorder::restore(Session& session) const {
 void Recorder::begin(const Session& session) {
   film_.emplace(free_name(session, ".mp4"), session.simulation().time(), film_interval(session),
                 Film::Colours::as_given);
-  starts_ = session.starts();
+  leaps_ = session.leaps();
 }
 
 void Recorder::shoot(const Session& session, const Picture& picture, const std::optional<Beside>& beside,
                      const std::vector<Plot>& plots) {
   if (!film_) return;
   const auto& simulation = session.simulation();
-  if (starts_ != session.starts()) film_->go_on_from(session.time());
-  starts_ = session.starts();
+  if (leaps_ != session.leaps()) film_->go_on_from(session.time());
+  leaps_ = session.leaps();
   film_->pace(film_interval(session));
   if (!film_->due(session.time(), simulation.dt())) return;
   try {

@@ -37,7 +37,7 @@ class Recorder {
  private:
   std::filesystem::path saved_;
   std::optional<Film> film_;
-  long starts_ = 0;  ///< of the session, when it was last shot
+  long leaps_ = 0;  ///< of the session, when it was last shot
 };
 
 }  // namespace clapotis

@@ -1,11 +1,14 @@
 #include "common/window/session.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "common/runner/saved_state.hpp"
 #include "common/runner/stopwatch.hpp"
+#include "common/words.hpp"
 
 namespace clapotis {
 namespace {
@@ -44,11 +47,13 @@ void Session::play(std::shared_ptr<Simulation> simulation) {
   scene_ = scene;
   history_.clear();
   history_.add(*simulation_);
+  past_.begin(shown());
   pacer_.forgive();
   diverged_.reset();
   work_ = {};
   preset_.clear();
   ++starts_;
+  ++leaps_;
 }
 
 void Session::reset() {
@@ -67,6 +72,14 @@ void Session::choose_scene(std::size_t scene) {
       known.emplace(name, value);
   }
   start(scene, known, simulation_->integrator());
+}
+
+double Session::half_step() const { return std::stod(fmt::format("{:.2g}", simulation_->dt() / 2)); }
+
+void Session::halve_step() {
+  Parameters changed = simulation_->parameters();
+  changed.set("dt", to_text(half_step()), Origin::window);
+  start(scene_, changed.overrides(), simulation_->integrator());
 }
 
 void Session::choose_integrator(const std::string& name) {
@@ -141,11 +154,64 @@ void Session::step(int count) {
       for (int k = 0; k < count; ++k) sides_->step();
       return true;
     });
+  const long known = past_.changed(shown()) ? 0 : past_.newest().step - simulation_->steps();
+  const auto again = std::min<long>(known, count);
+  if (again > 0) return_to(simulation_->steps() + again);
+  work_ = {};
+  if (again == count) return;
+  leave_known_time();
   const double start = wall_seconds();
-  for (int k = 0; k < count && !diverged_ && step_once(); ++k) {
+  for (long k = again; k < count && !diverged_ && step_once(); ++k) {
   }
+  note_work(start);
+}
+
+/// Before a new step: what lies ahead is not what comes, and what somebody did since the last step is not to
+/// be lost.
+void Session::leave_known_time() {
+  if (past_.newest().step > simulation_->steps()) history_.cut();
+  if (past_.newest().step != simulation_->steps() || past_.changed(shown())) past_.keep(shown(), 0);
+}
+
+void Session::note_work(double start) {
   work_.seconds = wall_seconds() - start;
-  if (work_.steps > 0) history_.add(*simulation_);
+  if (work_.steps == 0) return;
+  history_.add(*simulation_);
+  past_.keep(shown(), work_.seconds);
+}
+
+void Session::step_back(int count) {
+  if (sides_) throw BadInput(std::string(words().window.past.two_sides));
+  if (past_.changed(shown())) leave_known_time();
+  return_to(std::max(simulation_->steps() - count, past_.oldest().step));
+}
+
+void Session::go_to(double time) {
+  if (past_.changed(shown())) leave_known_time();
+  paused_ = true;
+  const auto& now = *simulation_;
+  const auto moment = past_.before(time);
+  const bool on_the_way = now.steps() >= moment.step && now.time() <= std::max(time, moment.time);
+  if (!on_the_way) return_to(moment.step);
+  const long last = now.steps();
+  while (now.steps() < past_.newest().step && now.time() + now.dt() <= time &&
+         past_.before(now.steps() + 1).step == moment.step)
+    step_once();
+  if (now.steps() > last) return_to(now.steps());
+}
+
+/// Forwards or back, in known time. From a moment that is kept on, the same steps come to the same bits.
+void Session::return_to(long step) {
+  const long kept = past_.before(step).step, now = simulation_->steps();
+  if (now > step || now < kept) past_.restore(shown(), step);
+  diverged_.reset();
+  paused_ = true;
+  ++leaps_;
+  pacer_.forgive();
+  while (simulation_->steps() < step && step_once()) {
+  }
+  work_ = {};
+  history_.show(*simulation_);
 }
 
 void Session::advance(double elapsed, double budget) {
@@ -155,6 +221,7 @@ void Session::advance(double elapsed, double budget) {
     return act_on_sides(
         [&] { return sides_->advance(std::clamp(elapsed, 0.0, Pacer::longest_frame) * speed(), budget); });
   pacer_.pass(elapsed, speed());
+  if (pacer_.due(simulation_->dt())) leave_known_time();
   const double start = wall_seconds();
   while (pacer_.due(simulation_->dt())) {
     if (work_.steps > 0 && wall_seconds() - start > budget) {
@@ -170,8 +237,7 @@ void Session::advance(double elapsed, double budget) {
       break;
     }
   }
-  work_.seconds = wall_seconds() - start;
-  if (work_.steps > 0) history_.add(*simulation_);
+  note_work(start);
 }
 
 // Two sides.
@@ -199,6 +265,7 @@ void Session::start_sides(const Contrast& contrast) {
 void Session::toggle_side_by_side() {
   if (!sides_) return start_sides(contrast_for(*simulation_));
   sides_.reset();
+  past_.begin(shown());
   pacer_.forgive();
 }
 

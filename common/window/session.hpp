@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "common/simulation/errors.hpp"
 #include "common/simulation/simulation.hpp"
 #include "common/window/pacer.hpp"
+#include "common/window/past.hpp"
 #include "common/window/side_by_side.hpp"
 
 namespace clapotis {
@@ -23,9 +25,16 @@ class Session {
 
   void toggle_pause() { paused_ = !paused_; }
   void step(int count);  ///< that many steps, and pauses
-  void reset();          ///< from the start, with the parameters and the seed as they are now
+  /// As many steps back as are kept, and pauses; a run that diverged stands on its last good state no more.
+  void step_back(int count);
+  /// To the last step kept that is not later [s], and pauses.
+  void go_to(double time);
+  void reset();  ///< from the start, with the parameters and the seed as they are now
   void change_speed(int octaves);
   void choose_scene(std::size_t scene);
+  /// From the start, with half the time step.
+  void halve_step();
+  [[nodiscard]] double half_step() const;           ///< that step, rounded to two digits [s]
   void choose_integrator(const std::string& name);  ///< goes on with it; from the start after a divergence
   void set(const std::string& parameter, const std::string& value);  ///< restarts the scene when it must
   void choose_preset(const std::string& name);  ///< of the scene, which restarts with its values
@@ -68,6 +77,9 @@ class Session {
   [[nodiscard]] double time() const { return sides_ ? sides_->time() : simulation_->time(); }
   /// How often a scene was started: a new number means that particles and parameters may be others.
   [[nodiscard]] long starts() const { return starts_; }
+  /// How often time leapt: a scene that started, a way back.
+  [[nodiscard]] long leaps() const { return leaps_; }
+  [[nodiscard]] const Past& past() const { return past_; }
 
   /// What the last `advance` or `step` did.
   struct Work {
@@ -89,6 +101,11 @@ class Session {
   template <class Act>
   void act_on_sides(const Act& act);
   bool reached_end() const;
+  void leave_known_time();
+  void return_to(long step);
+  void note_work(double start);
+  /// All simulations of the session: they share one past.
+  [[nodiscard]] std::array<Simulation*, 1> shown() const { return {simulation_.get()}; }
 
   const Stage& stage_;
   Overrides given_;  ///< on the command line: every scene that has such a parameter starts with it
@@ -99,6 +116,7 @@ class Session {
   std::shared_ptr<Simulation> simulation_;
   std::unique_ptr<Parameters> defaults_;
   History history_;
+  Past past_;
   Pacer pacer_;
   std::string preset_;
   bool paused_ = false;
@@ -106,7 +124,7 @@ class Session {
   std::optional<Diverged> diverged_;
   std::unique_ptr<SideBySide> sides_;  ///< none: the simulation is alone
   std::optional<Contrast> contrast_;   ///< that the user chose
-  long starts_ = 0;
+  long starts_ = 0, leaps_ = 0;
   Work work_;
 };
 

@@ -90,6 +90,7 @@ void Watch::look(WindowState& state, Point window, Trace& trace) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   if (session.paused() || session.stopped()) {
+    now["past"] = fmt::format("past {} to {}", session.past().oldest().step, session.past().newest().step);
     now["step"] = fmt::format("step {} t={} energy={:.17g}", simulation.steps(), simulation.time(),
                               simulation.energy().total());
   } else {

@@ -18,6 +18,7 @@
 #include "common/window/scene_view.hpp"
 #include "common/window/screen.hpp"
 #include "common/window/step_light.hpp"
+#include "common/window/time_line.hpp"
 #include "common/window/watch.hpp"
 #include "common/words.hpp"
 
@@ -143,6 +144,8 @@ class Window {
     if (std::exchange(light_, light.colour) != light.colour && light.colour == StepLight::Colour::red)
       state_.notice = {beyond_limit(light, session.simulation().dt()), true, 10};
     if (session.diverged() && !session.sides()) state_.notice = {};  // it says all that, and more
+    const bool had_stopped = std::exchange(stopped_, session.diverged().has_value());
+    if (stopped_ && !had_stopped) state_.sight.viewpoint.chosen = session.diverged()->particle;
   }
 
   /// Takes over the scale and the theme, where the user has chosen others.
@@ -156,15 +159,19 @@ class Window {
     dress();
     const Point size = screen_.size();
     const double side = state_.panel ? std::min(panel_width * state_.scale, widest_panel * size.x) : 0;
-    const Box scene{{0, 0}, {size.x - side, size.y}}, panel{{size.x - side, 0}, {side, size.y}};
+    const bool has_past = state_.session.sides() == nullptr;
+    const double strip = has_past ? std::min(time_line_height(state_.scale), size.y) : 0;
+    const Box scene{{0, 0}, {size.x - side, size.y - strip}}, panel{{size.x - side, 0}, {side, size.y}};
+    const Box times{{0, scene.extent.y}, {scene.extent.x, strip}};
     screen_.begin_frame(ink::sheet);
     if (scene.extent.x > 1 && scene.extent.y > 1) view_.paint(screen_.canvas(), state_, scene);
     controls_.name("domain", view_.domain());
     if (view_.beside()) controls_.name("right_half", view_.right_half());
     state_.menu_open = false;
     if (state_.panel) panel_.lay_out(state_, panel);
+    if (has_past && times.extent.x > 1) lay_out_time_line(state_, times, controls_);
     state_.close_menu = false;
-    lay_out_divergence(state_, view_.view().scene, controls_);
+    lay_out_divergence(state_, scene, controls_);
     lay_out_recording(state_, view_.view().scene);
     lay_out_notice(state_, scene, elapsed);  // low, over the plots: water lies at the bottom of its scene
     lay_out_help(state_, scene);
@@ -215,6 +222,7 @@ class Window {
   std::size_t warnings_ = 0;
   ink::Theme theme_ = ink::theme();  ///< that the controls wear
   StepLight::Colour light_ = StepLight::Colour::calm;
+  bool stopped_ = false;  ///< because the run diverged
 };
 
 }  // namespace

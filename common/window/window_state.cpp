@@ -22,6 +22,15 @@ void WindowState::next_scale() {
   scale = larger == scales.end() ? scales.front() : *larger;
 }
 
+void WindowState::step_back(bool ten) {
+  attempt([&] { session.step_back(ten ? 10 : 1); });
+  if (session.sides() != nullptr) return;
+  const auto oldest = session.past().oldest();
+  if (session.simulation().steps() > oldest.step) return;
+  const auto time = fmt::arg("time", fmt::format("{:.4g}", oldest.time));
+  notice = {say(words().window.past.oldest, time), false, notice_seconds};
+}
+
 void WindowState::save() {
   attempt([&] {
     notice = {about_file(words().window.state_saved, recorder.save(session)), false, notice_seconds};

@@ -46,13 +46,14 @@ struct WindowState {
   Tool tool = Tool::probe;
   std::optional<Point> mouse{};  ///< where it is in the window [pixel]
 
-  void next_scale();    ///< of letters and lines, after the last of `scales` the first
-  void save();          ///< the state, and says where
-  void restore();       ///< the state saved last
-  void write_table();   ///< of all particles as they stand, and says where
-  void write_grid();    ///< the same for ParaView
-  void toggle_sides();  ///< two sides, which start anew, or the left one alone
-  void toggle_video();  ///< begins one, or ends it and says where it is
+  void next_scale();         ///< of letters and lines, after the last of `scales` the first
+  void step_back(bool ten);  ///< and says so where nothing older is kept
+  void save();               ///< the state, and says where
+  void restore();            ///< the state saved last
+  void write_table();        ///< of all particles as they stand, and says where
+  void write_grid();         ///< the same for ParaView
+  void toggle_sides();       ///< two sides, which start anew, or the left one alone
+  void toggle_video();       ///< begins one, or ends it and says where it is
 
   /// Does what the user asked for; what cannot be done is said instead.
   template <class Action>

@@ -8,8 +8,11 @@
 #include "common/runner/listing.hpp"
 #include "common/runner/units.hpp"
 #include "common/simulation/errors.hpp"
+#include "stage1_bouncing/scenes.hpp"
+#include "stage2_cloud/scenes.hpp"
 #include "stage3_grid/scenes.hpp"
 #include "stage4_sph/scenes.hpp"
+#include "stage5_extensions/scenes.hpp"
 #include "tests/catch.hpp"
 
 namespace clapotis {
@@ -109,6 +112,58 @@ TEST_CASE("a stage lists the kernels it has, and only then knows such a list", "
                     Catch::Matchers::ContainsSubstring("did you mean kernels?"));
   CHECK_THROWS_WITH(listing(stage3::stage(), "kernels", {}),
                     Catch::Matchers::ContainsSubstring("scenes, parameters, integrators"));
+}
+
+TEST_CASE("each scene with a reference shows its shape over the flow, and how far the run is from it",
+          "[describe]") {
+  for (const auto& stage :
+       {stage1::stage(), stage2::stage(), stage3::stage(), stage4::stage(), stage5::stage()})
+    for (const auto& scene : stage.scenes) {
+      Simulation simulation(scene);
+      if (!simulation.setup().reference) continue;
+      CAPTURE(stage.name, scene.name);
+      simulation.step();
+      const auto picture = describe(stage.title, simulation);
+      REQUIRE(picture.ghosts);
+      CHECK_FALSE(picture.note.empty());
+      CHECK_FALSE(picture.ghosts->label.empty());
+      Index seen = 0;
+      for (Index k = 0; k < picture.ghosts->x.size(); ++k)
+        if (simulation.setup().view.contains({picture.ghosts->x(k), picture.ghosts->y(k) + 1e-9})) ++seen;
+      CHECK(seen > 0);
+      if (!simulation.setup().reference->measured) continue;
+      CHECK(picture.ghosts->measured_x.size() > 0);
+      CHECK(picture.ghosts->measured_x.size() <= simulation.particles().size());
+    }
+}
+
+TEST_CASE("the profile that a channel is drawn with is that of its particles", "[describe]") {
+  Simulation simulation(stage5::stage().scene("poiseuille"));
+  while (simulation.time() < 0.1) simulation.step();
+  const auto picture = describe("stage", simulation);
+  const auto& particles = simulation.particles();
+  const double scale = picture.ghosts->measured_x(0) / particles.velocity(0, 0);
+  CHECK((picture.ghosts->measured_x - scale * particles.velocity.col(0)).abs().maxCoeff() <
+        1e-12 * picture.upper.x());
+  CHECK((picture.ghosts->measured_y == particles.position.col(1)).all());
+  CHECK(picture.ghosts->measured_x.maxCoeff() <= picture.upper.x());
+}
+
+TEST_CASE("the fronts of the experiments are marked while they were measured", "[describe]") {
+  auto water = liquid("dam_break", "0.1");
+  const auto marks = [&] {
+    const auto picture = describe("stage", water);
+    Index there = 0;
+    if (picture.ghosts)
+      for (const double x : picture.ghosts->x) there += std::isfinite(x) ? 1 : 0;
+    return there;
+  };
+  CHECK(marks() == 1);  // the others begin later
+  while (water.time() < 0.3) water.step();
+  CHECK(marks() == 3);
+  const auto picture = describe("stage", water);
+  CHECK(picture.note.starts_with("Koshizuka & Oka 1996: "));
+  CHECK(picture.note.ends_with(" %"));
 }
 
 TEST_CASE("a long measure of error stands in the key of its plot, where it has room", "[describe]") {

@@ -240,7 +240,10 @@ TEST_CASE("particles that all have one value have the colour that the legend mar
       std::any_of(canvas.texts.begin(), canvas.texts.end(), [](const auto& t) { return t.words == "1000"; }));
 }
 
-TEST_CASE("no word stands over the scene or beyond the sheet, on narrow pictures too", "[pictures]") {
+TEST_CASE(
+    "no word but those of the reference stands over the scene, none beyond the sheet, on narrow pictures "
+    "too",
+    "[pictures]") {
   Picture picture = cloud(20);
   picture.title += std::string(GENERATE(0, 200), 'x');
   picture.ghosts = Ghosts{picture.x, picture.y, "closed form"};
@@ -253,7 +256,9 @@ TEST_CASE("no word stands over the scene or beyond the sheet, on narrow pictures
   for (const auto& text : canvas.texts) {
     CAPTURE(text.words, width, scale);
     const double top = view.scene.corner.y, bottom = top + view.scene.extent.y;
-    CHECK((text.at.y <= top || text.at.y - 0.75 * text.height >= bottom));  // capitals are 0.73 high
+    const bool of_reference =  // cut off at the end where there is no room
+        text.words == "closed form" || text.words.starts_with("error of");
+    CHECK((of_reference || text.at.y <= top || text.at.y - 0.75 * text.height >= bottom));  // capitals: 0.73
     CHECK(text.at.x >= 0);
     CHECK(text.at.x + text.width <= width);
   }
@@ -272,12 +277,68 @@ TEST_CASE("a chosen particle, its neighbours and ghosts are rings that leave the
 
 TEST_CASE("the outline of an exact shape is one closed line, not a chain of particles", "[pictures]") {
   Picture picture = cloud(20);
-  picture.ghosts = Ghosts{picture.x.head(5), picture.y.head(5), "exact", true};
+  picture.ghosts = Ghosts{picture.x.head(5), picture.y.head(5), "exact", Shape::outline};
   RecordingCanvas canvas;
   paint(canvas, picture);
-  CHECK(canvas.disc_calls.at(1).empty());
+  for (std::size_t k = 1; k < canvas.disc_calls.size(); ++k) CHECK(canvas.disc_calls.at(k).empty());
   CHECK(std::ranges::any_of(
       canvas.lines, [](const auto& line) { return line.size() == 6 && line.front() == line.back(); }));
+}
+
+TEST_CASE("open lines of a reference are open, and begin again after a point that is no number",
+          "[pictures]") {
+  Picture picture = cloud(20);
+  picture.x[3] = nan;
+  picture.ghosts = Ghosts{picture.x.head(8), picture.y.head(8), "exact", Shape::lines};
+  RecordingCanvas canvas;
+  paint(canvas, picture);
+  const PictureView view = fit(picture, whole);
+  const auto painted = [&](Eigen::Index first, std::size_t points) {
+    const Point begin = view.to_pixel(picture.ghosts->x[first], picture.ghosts->y[first]);
+    return std::ranges::count_if(canvas.lines, [&](const auto& line) {
+      return line.size() == points && line.front() == begin && !(line.back() == begin);
+    });
+  };
+  CHECK(painted(0, 3) == 1);
+  CHECK(painted(4, 4) == 1);
+}
+
+TEST_CASE("marks that are there now are labelled, and their labels do not cover each other", "[pictures]") {
+  Picture picture = cloud(20);
+  Eigen::ArrayXd x(4), y = Eigen::ArrayXd::Zero(4);
+  x << 200, nan, 210, 700;
+  picture.ghosts = Ghosts{x, y, "experiment", Shape::marks, {"one", "two", "three", "four"}};
+  RecordingCanvas canvas;
+  paint(canvas, picture);
+  std::vector<double> heights;
+  for (const auto& text : canvas.texts) {
+    CHECK(text.words != "two");
+    if (text.words != "one" && text.words != "three" && text.words != "four") continue;
+    for (const double other : heights) CHECK(std::abs(other - text.at.y) >= text.height);
+    heights.push_back(text.at.y);
+  }
+  CHECK(heights.size() == 3);
+}
+
+TEST_CASE("the error stands in a corner of the scene, on the side of the chosen particle", "[pictures]") {
+  Picture picture = cloud(20);
+  const PictureView view = fit(picture, whole);
+  const double middle = view.scene.corner.x + view.scene.extent.x / 2;
+  const auto corner = [&] {
+    RecordingCanvas canvas;
+    paint(canvas, picture);
+    const auto note = std::ranges::find(canvas.texts, picture.note, &RecordingCanvas::Text::words);
+    REQUIRE(note != canvas.texts.end());
+    CHECK(note->at.y > view.scene.corner.y);
+    CHECK(note->at.y < view.scene.corner.y + view.scene.extent.y / 4);
+    return note->at.x < middle ? 'l' : 'r';
+  };
+  CHECK(corner() == 'l');
+  picture.x[3] = 700;
+  picture.chosen = Chosen{3, {}, 40, ""};
+  CHECK(corner() == 'r');
+  picture.x[3] = 100;
+  CHECK(corner() == 'l');
 }
 
 TEST_CASE("a picture whose columns differ in length is refused", "[pictures]") {
@@ -286,6 +347,7 @@ TEST_CASE("a picture whose columns differ in length is refused", "[pictures]") {
   SECTION("y") { picture.y.resize(4); }
   SECTION("value") { picture.value.resize(6); }
   SECTION("chosen") { picture.chosen = Chosen{5, {}, 1, ""}; }
+  SECTION("labels") { picture.ghosts = Ghosts{picture.x, picture.y, "", Shape::marks, {"one"}}; }
   SECTION("neighbours") { picture.chosen = Chosen{1, {-1}, 1, ""}; }
   CHECK_THROWS_AS(paint(canvas, picture), std::invalid_argument);
 }

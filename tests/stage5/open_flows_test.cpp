@@ -1,4 +1,6 @@
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "common/measures/energy.hpp"
 #include "common/references/draining_tank.hpp"
@@ -155,4 +157,16 @@ TEST_CASE("a jet, a film and a draining tank have their closed forms", "[referen
         Approx(-M_PI / (M_PI + 2) * 0.1 * std::sqrt(2 * 9.81 * tank.level(1))).epsilon(1e-6));
   CHECK(tank.level(100) == 0);
   CHECK_THROWS_AS((DrainingTank{1, 2, 1, 1}.level(0)), std::invalid_argument);
+}
+
+TEST_CASE("the surface of a jet on a plate is that of free-streamline theory, the same with x and y exchanged",
+          "[stage5]") {
+  const ImpingingJet jet{0.1, 2, 1000};
+  for (const double theta : {0.01, 0.3, 0.8, 1.2, 1.55}) {
+    const auto w = std::polar(1.0, theta);  // conjugate of the velocity there, over U
+    const auto z = 2 * jet.width / std::numbers::pi * (std::atan(w) + std::atanh(w));
+    CHECK(jet.surface(z.real()) == Approx(z.imag()).epsilon(1e-9));
+    CHECK(jet.surface(jet.surface(z.real())) == Approx(z.real()).epsilon(1e-9));
+  }
+  CHECK(jet.surface(0.6) == Approx(jet.width / 2).epsilon(1e-6));  // the sheet that flows off
 }
