@@ -62,6 +62,23 @@ constexpr std::array names_in_lists{
     Name{"Input/output error", "erreur d'entrée-sortie"},
     Name{"Broken pipe", "le destinataire a fermé le tube"}};
 
+constexpr std::array names_of_laws{
+    Name{"gravity", "gravity", "poids"},
+    Name{"air_drag", "drag", "traînée"},
+    Name{"contact_spring", "contact", "contact"},
+    Name{"walls", "wall", "paroi"},
+    Name{"pressure", "pressure", "pression"},
+    Name{"viscosity", "viscosity", "viscosité"},
+    Name{"artificial_viscosity", "artificial viscosity", "viscosité artificielle"},
+    Name{"laminar_viscosity", "viscosity", "viscosité"},
+    Name{"newtonian_viscosity", "viscosity", "viscosité"},
+    Name{"implicit_viscosity", "viscosity", "viscosité"},
+    Name{"surface_tension", "surface tension", "tension superficielle"},
+    Name{"tensile_correction", "tensile correction", "correction de traction"},
+    Name{"hand", "hand", "main"},
+    Name{"driving_force", "driving force", "force motrice"},
+    Name{"tank_motion", "motion of the tank", "mouvement de la cuve"}};
+
 constexpr std::array names_of_limits{Name{"acoustic", "acoustique"},    Name{"contact", "de contact"},
                                      Name{"drag", "de traînée"},        Name{"force", "en force"},
                                      Name{"viscous", "visqueuse"},      Name{"capillary", "capillaire"},
@@ -87,6 +104,7 @@ std::string_view look_up(const Table& table, std::string_view name) {
 }  // namespace
 
 std::string_view called(std::string_view name, Naming where) {
+  if (where == Naming::law) return look_up(names_of_laws, name);
   if (where == Naming::limit) return look_up(names_of_limits, name);
   return where == Naming::kind ? look_up(names_of_kinds, name) : look_up(names_in_lists, name);
 }

@@ -82,11 +82,9 @@ struct Words {
       Word label, offer, right, started, ended;
       constexpr bool operator==(const Sides&) const = default;
     } sides;
-    // inside a particle: its table, and the names of the laws that act on it
+    // inside a particle: its table
     struct Inside {
-      Word held, mass, sum, in_walls, in_vain, gravity, air_drag, contact_spring, walls, pressure, viscosity,
-          artificial_viscosity, laminar_viscosity, newtonian_viscosity, implicit_viscosity, surface_tension,
-          tensile_correction, hand, driving_force, tank_motion;
+      Word held, mass, sum, in_walls, in_vain;
       constexpr bool operator==(const Inside&) const = default;
     } inside;
     // the kernel at work
@@ -123,7 +121,7 @@ std::string say(std::string_view sentence, const Args&... args) {
 
 /// Where a name of the code is said: where a person reads a list or a picture, before "limit" of the time
 /// step, or after "there is no".
-enum class Naming { list, limit, kind };
+enum class Naming { list, law, limit, kind };
 
 /// What a name of the code is called where a person reads it: "density_error" is "density error". The name
 /// itself when the table has no line for it.

@@ -14,29 +14,6 @@
 namespace clapotis {
 namespace {
 
-using Inside = Words::Window::Inside;
-
-std::string_view called_law(std::string_view law) {
-  using Name = std::pair<std::string_view, std::string_view Inside::*>;
-  constexpr std::array names{Name{"gravity", &Inside::gravity},
-                             Name{"air_drag", &Inside::air_drag},
-                             Name{"contact_spring", &Inside::contact_spring},
-                             Name{"walls", &Inside::walls},
-                             Name{"pressure", &Inside::pressure},
-                             Name{"viscosity", &Inside::viscosity},
-                             Name{"artificial_viscosity", &Inside::artificial_viscosity},
-                             Name{"laminar_viscosity", &Inside::laminar_viscosity},
-                             Name{"newtonian_viscosity", &Inside::newtonian_viscosity},
-                             Name{"implicit_viscosity", &Inside::implicit_viscosity},
-                             Name{"surface_tension", &Inside::surface_tension},
-                             Name{"tensile_correction", &Inside::tensile_correction},
-                             Name{"hand", &Inside::hand},
-                             Name{"driving_force", &Inside::driving_force},
-                             Name{"tank_motion", &Inside::tank_motion}};
-  const auto known = std::ranges::find(names, law, &Name::first);
-  return known == names.end() ? law : words().window.inside.*known->second;
-}
-
 /// With as many digits whatever the value, so that a table of them stands still.
 std::string steady(double value, int digits = 4) {
   auto text = fmt::format("{:#.{}g}", value == 0 ? 0.0 : value, digits);
@@ -66,7 +43,7 @@ std::vector<ForceArrow> forces_on(const Simulation& simulation, const std::vecto
   Vector sum{0, 0};
   std::vector<ForceArrow> forces;
   const auto add = [&](std::string_view law, const Vector& a) {
-    forces.push_back({std::string(called_law(law)), m * a, law_colour(law, forces)});
+    forces.push_back({std::string(called(law, Naming::law)), m * a, law_colour(law, forces)});
     sum += a;
   };
   for (const auto& [law, a] : laws) add(law, a);

@@ -48,6 +48,8 @@ inline constexpr Tone wall{&Palette::wall}, grid{&Palette::grid}, plain_disc{&Pa
     ghost{&Palette::ghost}, chosen{&Palette::chosen}, in_vain{&Palette::in_vain}, visited{&Palette::visited},
     warning{&Palette::warning};
 
+inline Colour translucent(Colour c, float opacity) { return {c.red, c.green, c.blue, opacity}; }
+
 // Sizes are pixels of a 1280 x 720 sheet; each is multiplied by the picture's scale. On a sheet of that size
 // 18 pixels are 1/40 of the height: the least that the back row can read.
 inline constexpr double title = 28, words = 20, numbers = 18;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double wall_thickness = 6;
 constexpr double smallest_disc = 1.25;  ///< radius below which a particle would fade away [pixel]
-constexpr double smallest_mark = 5;     ///< radius of the ring around a marked particle [pixel]
 constexpr double smallest_rimmed = 5;   ///< radius from which discs have a rim [pixel]
 constexpr double wet_growth = 1.45;     ///< of a liquid's particles too small for a rim, to close the gaps
 constexpr double smallest_cell = 4;     ///< side below which the lines of the cells would be one grey [pixel]
@@ -55,8 +54,6 @@ bool is_seen(const Disc& disc, const Box& box) {  // false for NaN, too
 }
 
 Colour darker(Colour c) { return {0.62F * c.red, 0.62F * c.green, 0.62F * c.blue, c.opacity}; }
-
-Colour translucent(Colour c, float opacity) { return {c.red, c.green, c.blue, opacity}; }
 
 /// Where the domain ends, solid or not.
 void paint_rim(Canvas& canvas, const Box& inside, double width) {

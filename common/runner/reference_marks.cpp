@@ -18,7 +18,7 @@ constexpr double dot_radius = 3;     ///< radius of a point that was measured [p
 constexpr double mark_height = 90;   ///< of the staff of a mark, to where water is rare [pixel]
 
 /// Translucent, so that what moves below it is not lost.
-constexpr Colour behind_words{ink::paper.red, ink::paper.green, ink::paper.blue, 0.78F};
+Colour behind_words() { return ink::translucent(ink::paper, 0.78F); }
 
 bool is_number(Point at) { return std::isfinite(at.x) && std::isfinite(at.y); }
 
@@ -68,7 +68,7 @@ void paint_key(Canvas& canvas, const Picture& picture, const PictureView& view) 
                                            view.scene.corner.x + view.scene.extent.x / 2;
   const Point corner{view.scene.corner.x + (right ? view.scene.extent.x - extent.x - margin : margin),
                      view.scene.corner.y + margin};
-  canvas.rectangle({corner, extent}, behind_words);
+  canvas.rectangle({corner, extent}, behind_words());
   double baseline = corner.y + leading;
   for (const auto& line : lines) {
     const bool bare = line.sign == KeyLine::Sign::none;
@@ -83,7 +83,7 @@ void paint_key(Canvas& canvas, const Picture& picture, const PictureView& view) 
 void paint_rings(Canvas& canvas, const Picture& picture, const PictureView& view) {
   const double scale = view.scale;
   const double radius = std::max(picture.radius * view.pixels_per_unit, smallest_ring * scale);
-  constexpr Colour inside{ink::ghost.red, ink::ghost.green, ink::ghost.blue, 0.12F};
+  const Colour inside = ink::translucent(ink::ghost, 0.12F);
   std::vector<Disc> discs;
   for (Eigen::Index i = 0; i < picture.ghosts->x.size(); ++i) {
     const Point at = view.to_pixel(picture.ghosts->x[i], picture.ghosts->y[i]);
@@ -133,7 +133,7 @@ void paint_labels(Canvas& canvas, const Ghosts& ghosts, const PictureView& view)
     canvas.discs(std::array{Disc{foot, 4 * scale, ink::ghost}});
     const double room = canvas.text_width(label, height);
     const double x = to_the_left ? head.x - gap - room : head.x + gap;
-    canvas.rectangle({{x - gap / 2, head.y - 0.1 * height}, {room + gap, 1.2 * height}}, behind_words);
+    canvas.rectangle({{x - gap / 2, head.y - 0.1 * height}, {room + gap, 1.2 * height}}, behind_words());
     canvas.text({x, head.y + 0.8 * height}, label, height, ink::ghost);
   }
 }
