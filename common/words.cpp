@@ -348,9 +348,7 @@ constexpr Words english{
             .does_sides = "two methods side by side",
             .sides =
                 {
-                    .label = "two sides",
-                    .offer = "compare two methods (B)",
-                    .right = "right side",
+                    .button = "two sides",
                     .started =
                         "Both sides start anew; the same without a window: ./lab compare {left} {right}",
                     .ended = "The left side goes on alone",

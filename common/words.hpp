@@ -78,7 +78,7 @@ struct Words {
         does_right, does_sides;
     // two sides
     struct Sides {
-      std::string_view label, offer, right, started, ended;
+      std::string_view button, started, ended;
     } sides;
   } window;
 };
