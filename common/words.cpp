@@ -189,7 +189,7 @@ constexpr Words english{
     .compare_largest =
         "difference at most:    {largest} {unit} ({share} %), at t = {time} s, particle {particle}\n",
     .compare_ratio = "right over left:       {cpu} in processor time, {step} per step\n",
-    .compare_cost = "CPU {cost} ms/s   {evaluations} evaluations   energy {drift}",
+    .compare_cost = "CPU {cost}   {evaluations} evaluations   energy {drift}",
     .compare_plot = "Difference",
     .compare_curve_largest = "largest",
     .compare_curve_rms = "rms",

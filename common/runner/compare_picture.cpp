@@ -82,15 +82,20 @@ Plot distance_plot(const std::vector<Difference>& distances, const Simulation& s
   return plot;
 }
 
-/// "+2.4 %", "+2.4e-06" or "x5.9", whichever is shorter.
+/// "+2.4 %", "+2e-06" or "x5.9", whichever is shorter.
 std::string drift_text(double drift) {
   if (drift >= 1) return "x" + two_digits(1 + drift);
-  return std::abs(drift) >= 1e-3 ? fmt::format("{:+.2g} %", 100 * drift) : fmt::format("{:+.1e}", drift);
+  return std::abs(drift) >= 1e-3 ? fmt::format("{:+.2g} %", 100 * drift) : fmt::format("{:+.0e}", drift);
+}
+
+/// "1.5 ms/s", "33 s/s": per simulated second.
+std::string cost_text(double milliseconds) {
+  if (!std::isfinite(milliseconds)) return "…";
+  return milliseconds < 1000 ? two_digits(milliseconds) + " ms/s" : two_digits(milliseconds / 1000) + " s/s";
 }
 
 std::string cost_line(const Side& side) {
-  const auto cost = side.cost();
-  return say(words().compare_cost, fmt::arg("cost", std::isfinite(cost) ? two_digits(cost) : "…"),
+  return say(words().compare_cost, fmt::arg("cost", cost_text(side.cost())),
              fmt::arg("evaluations", grouped(side.simulation->system().force_evaluations, " ")),
              fmt::arg("drift", drift_text(side.energy_drift())));
 }
