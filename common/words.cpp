@@ -198,7 +198,7 @@ constexpr Words english{
     .compare_largest =
         "difference at most:    {largest} {unit} ({share} %), at t = {time} s, particle {particle}\n",
     .compare_ratio = "right over left:       {cpu} in processor time, {step} per step\n",
-    .compare_cost = "CPU {cost} ms/s   {evaluations} evaluations   energy {drift}",
+    .compare_cost = "CPU {cost}   {evaluations} evaluations   energy {drift}",
     .compare_plot = "Difference",
     .compare_distance = "|r left - r right|",
     .compare_curve_largest = "largest",
@@ -369,9 +369,7 @@ constexpr Words english{
             .does_back = "one step back (with Shift: ten)",
             .sides =
                 {
-                    .label = "two sides",
-                    .offer = "compare two methods (B)",
-                    .right = "right side",
+                    .button = "two sides",
                     .started =
                         "Both sides start anew; the same without a window: ./lab compare {left} {right}",
                     .ended = "The left side goes on alone",

@@ -79,7 +79,7 @@ struct Words {
         does_language, does_theme, does_letters, does_sides, does_kernel, does_back;
     // two sides
     struct Sides {
-      Word label, offer, right, started, ended;
+      Word button, started, ended;
       constexpr bool operator==(const Sides&) const = default;
     } sides;
     // inside a particle: its table

@@ -208,7 +208,7 @@ inline constexpr Words french{
     .compare_largest =
         "différence maximale :  {largest} {unit} ({share} %), à t = {time} s, particule {particle}\n",
     .compare_ratio = "droite sur gauche :    {cpu} en temps de processeur, {step} par pas\n",
-    .compare_cost = "CPU {cost} ms/s   {evaluations} évaluations   énergie {drift}",
+    .compare_cost = "CPU {cost}   {evaluations} évaluations   énergie {drift}",
     .compare_plot = "Différence",
     .compare_distance = "|r gauche - r droite|",
     .compare_curve_largest = "maximale",
@@ -382,9 +382,7 @@ inline constexpr Words french{
             .does_back = "un pas en arrière (avec Maj : dix)",
             .sides =
                 {
-                    .label = "deux côtés",
-                    .offer = "comparer deux méthodes (B)",
-                    .right = "à droite",
+                    .button = "2 côtés",
                     .started = "Les deux côtés repartent du début ; la même chose sans fenêtre : ./lab "
                                "compare {left} {right}",
                     .ended = "Le côté gauche continue seul",

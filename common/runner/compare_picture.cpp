@@ -79,19 +79,25 @@ Plot distance_plot(const std::vector<Difference>& distances, const Simulation& s
   }
   plot.curves.push_back(std::move(largest));
   if (simulation.particles().size() > 1) plot.curves.push_back(std::move(rms));  // of one they are the same
-  plot.log_y = true;
+  plot.log_y = std::ranges::any_of(distances, [](const Difference& d) { return d.largest > 0; });
   return plot;
 }
 
-/// "+2.4 %", or "+2.4e-06" where that is shorter.
+/// "+2.4 %", "+2e-06" or "x5.9", whichever is shorter.
 std::string drift_text(double drift) {
-  return std::abs(drift) >= 1e-3 ? fmt::format("{:+.2g} %", 100 * drift) : fmt::format("{:+.1e}", drift);
+  if (drift >= 1) return "x" + two_digits(1 + drift);
+  return std::abs(drift) >= 1e-3 ? fmt::format("{:+.2g} %", 100 * drift) : fmt::format("{:+.0e}", drift);
+}
+
+/// "1.5 ms/s", "33 s/s": per simulated second.
+std::string cost_text(double milliseconds) {
+  if (!std::isfinite(milliseconds)) return "…";
+  return milliseconds < 1000 ? two_digits(milliseconds) + " ms/s" : two_digits(milliseconds / 1000) + " s/s";
 }
 
 std::string cost_line(const Side& side) {
-  const auto cost = side.cost();
-  return say(words().compare_cost, fmt::arg("cost", std::isfinite(cost) ? two_digits(cost) : "…"),
-             fmt::arg("evaluations", grouped(side.simulation->system().force_evaluations)),
+  return say(words().compare_cost, fmt::arg("cost", cost_text(side.cost())),
+             fmt::arg("evaluations", grouped(side.simulation->system().force_evaluations, " ")),
              fmt::arg("drift", drift_text(side.energy_drift())));
 }
 

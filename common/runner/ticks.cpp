@@ -81,10 +81,10 @@ std::string tick_label(double value, double step) {
   return written(value, std::chars_format::fixed, std::max(0, decimals_of_step));
 }
 
-std::string grouped(long long count) {
+std::string grouped(long long count, std::string_view space) {
   auto digits = std::to_string(count);
   for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(static_cast<std::size_t>(at), "\u2009");
+    digits.insert(static_cast<std::size_t>(at), space);
   return digits;
 }
 

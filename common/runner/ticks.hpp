@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace clapotis {
 
@@ -29,7 +30,7 @@ struct Ticks {
 /// Three digits in always the same width while the power of ten is the same: "1.05e-3".
 [[nodiscard]] std::string three_digits(double value);
 
-/// 1234567 as 1 234 567, with narrow spaces.
-[[nodiscard]] std::string grouped(long long count);
+/// 1234567 as 1 234 567, with narrow spaces, or others where a font lacks them.
+[[nodiscard]] std::string grouped(long long count, std::string_view space = "\u2009");
 
 }  // namespace clapotis

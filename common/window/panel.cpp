@@ -60,7 +60,6 @@ void Panel::lay_out(WindowState& state, const Box& area) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   transport(state);
   scene(state);
-  sides_.lay_out(state, controls_);
   mouse(state);
   parameters(state);
   time_step(state);
@@ -157,8 +156,10 @@ void Panel::scene(WindowState& state) {
   if (chosen) state.attempt([&] { session.choose_scene(*chosen); });
   const auto integrator = session.simulation().integrator();
   const auto& integrators = integrator_names(session.simulation().setup().matter());
-  if (const auto k = list(state, "integrator", w().integrator, integrators, integrator))
-    state.attempt([&] { session.choose_integrator(integrators[*k]); });
+  const auto k = list(state, "integrator", w().integrator, integrators, integrator, 0.46F);
+  ImGui::SameLine();
+  sides_.lay_out(state, controls_);
+  if (k) state.attempt([&] { session.choose_integrator(integrators[*k]); });
   const float whole = ImGui::GetContentRegionAvail().x;
   rows_.steppers(state, controls_, ImGui::GetCursorPosX() + label_width * whole, (1 - label_width) * whole);
 }

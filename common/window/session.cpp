@@ -269,7 +269,14 @@ void Session::toggle_side_by_side() {
   pacer_.forgive();
 }
 
-void Session::differ_in(const std::string& contrast) { choose(contrast_in(*simulation_, contrast)); }
+/// With the left side's own value where the one proposed cannot be built: another can then be typed.
+void Session::differ_in(const std::string& contrast) {
+  try {
+    choose(contrast_in(*simulation_, contrast));
+  } catch (const BadInput&) {
+    choose({contrast, value_of(*simulation_, contrast)});
+  }
+}
 
 void Session::put_beside(const std::string& contrast, const std::string& value) {
   const auto known = contrasts(*simulation_);

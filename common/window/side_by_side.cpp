@@ -132,7 +132,7 @@ std::string printed_contrast(const Simulation& left, const Contrast& contrast) {
   const auto* p = left.parameters().find(contrast.name);
   if (p == nullptr || !p->choices.empty())
     return fmt::format("{} = {}", called(contrast.name), called(contrast.value));
-  const auto unit = printed_unit(*p, left.scene().length_unit);
+  const auto unit = contrast.value == "auto" ? "" : printed_unit(*p, left.scene().length_unit);
   return fmt::format("{} = {}{}", printed_symbol(*p), contrast.value, unit.empty() ? "" : " " + unit);
 }
 
@@ -164,6 +164,7 @@ bool SideBySide::advance(double duration, double budget) {
   const double start = wall_seconds();
   for (double now = start;; now = wall_seconds()) {
     if (now > start && now - start > budget) {
+      level();
       clock_ = time();
       return false;
     }

@@ -6,43 +6,38 @@
 #include <utility>
 
 #include "common/window/combo.hpp"
-#include "common/window/theme.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
 
 namespace clapotis {
 namespace {
 
-constexpr float caption_width = 0.26F;        ///< of the panel, as of its other rows
 constexpr const char* typed = "sides:value";  ///< what `typing` calls the right side's value
-
-void caption(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
 }  // namespace
 
 void SidesSection::lay_out(WindowState& state, Controls& controls) {
-  const auto& w = words().window.sides;
-  const float start = ImGui::GetCursorPosX(), whole = ImGui::GetContentRegionAvail().x;
-  ImGui::AlignTextToFramePadding();
-  caption(w.label);
-  ImGui::SameLine(start + caption_width * whole);
-  bool on = state.session.sides() != nullptr;
-  const bool toggled = ImGui::Checkbox(((on ? "" : std::string(w.offer)) + "###sides").c_str(), &on);
+  const bool on = state.session.sides() != nullptr;
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  const auto label = std::string(words().window.sides.button) + "###sides";
+  const bool toggled = ImGui::Button(label.c_str(), {ImGui::GetContentRegionAvail().x, 0});
+  if (on) ImGui::PopStyleColor();
   controls.name_last("sides");
-  if (state.session.sides() != nullptr) {
-    const auto& simulation = state.session.simulation();
-    ImGui::SameLine();
-    const auto names = contrasts(simulation);
-    const float width = start + whole - ImGui::GetCursorPosX();
-    const auto present = state.session.sides()->contrast().name;
-    if (const auto k = combo(state, controls, "contrast", names, present, width))
-      state.attempt([&] { state.session.differ_in(names[*k]); });
-    ImGui::AlignTextToFramePadding();
-    caption(w.right);
-    ImGui::SameLine(start + caption_width * whole);
-    other_value(state, controls, (1 - caption_width) * whole);
-  }
+  if (on) contrast(state, controls);
   if (toggled) state.toggle_sides();
+}
+
+/// "ν = 0.02", one half of the row for what differs, the other for the right side's value.
+void SidesSection::contrast(WindowState& state, Controls& controls) {
+  const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float sign = ImGui::CalcTextSize("=").x + 2 * gap, half = (whole - sign) / 2;
+  const auto names = contrasts(state.session.simulation());
+  const auto chosen = combo(state, controls, "contrast", names, state.session.sides()->contrast().name, half);
+  ImGui::SameLine(0, gap);
+  ImGui::TextUnformatted("=");
+  ImGui::SameLine(0, gap);
+  other_value(state, controls, half);
+  if (chosen) state.attempt([&] { state.session.differ_in(names[*chosen]); });
 }
 
 /// A list of what there is, or a number that is typed.

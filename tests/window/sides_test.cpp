@@ -14,10 +14,10 @@ using namespace clapotis;
 
 namespace {
 
-constexpr double plenty = 1e9;      // s of work allowed: never the reason to stop
-constexpr double frame = 1 / 60.0;  // s
+constexpr double unlimited = 1e9;     // s of work allowed: never the reason to stop
+constexpr double a_frame = 1 / 60.0;  // s
 
-Options of(const std::string& scene, const Overrides& parameters = {}) {
+Options until_half(const std::string& scene, const Overrides& parameters = {}) {
   Options options;
   options.scene.value = scene;
   options.parameters = parameters;
@@ -66,7 +66,7 @@ TEST_CASE("two sides in the window have the differences, errors and evaluations 
     session.choose_other(contrast.value);
     // frames of no regular length, of which some have no time for more than a step
     for (int k = 0; k < 100000 && !session.paused(); ++k)
-      session.advance(0.003 * (1 + k % 7), k % 3 == 0 ? 0 : plenty);
+      session.advance(0.003 * (1 + k % 7), k % 3 == 0 ? 0 : unlimited);
     REQUIRE(session.paused());
     Side left = side_of(stage.scene(options.scene.value), options.parameters, "velocity_verlet");
     Comparison headless(left, right, 0.5, session.sides()->comparison().interval());
@@ -77,27 +77,27 @@ TEST_CASE("two sides in the window have the differences, errors and evaluations 
   const Stage drop = stage1::stage(), grid = stage3::stage(), list = stage2::stage(),
               liquid = stage4::stage();
   SECTION("after each step") {
-    compare(drop, of("drop"), {"integrator", "explicit_euler"},
+    compare(drop, until_half("drop"), {"integrator", "explicit_euler"},
             side_of(drop.scene("drop"), {}, "explicit_euler"));
   }
   SECTION("at common instants") {
-    compare(drop, of("drop"), {"dt", "0.0031"},
+    compare(drop, until_half("drop"), {"dt", "0.0031"},
             side_of(drop.scene("drop"), {{"dt", {"0.0031"}}}, "velocity_verlet"));
   }
   SECTION("the list of stage 2 beside the grid") {
     const Overrides few{{"particles", {"60"}}};
-    compare(grid, of("cloud", few), {"neighbour_search", "list"},
+    compare(grid, until_half("cloud", few), {"neighbour_search", "list"},
             side_of(list.scene("cloud"), few, "velocity_verlet"));
   }
   SECTION("other numbers of particles, whose steps follow the state") {
-    compare(liquid, of("dam_break", {{"spacing", {"0.125"}}}), {"spacing", "0.2"},
+    compare(liquid, until_half("dam_break", {{"spacing", {"0.125"}}}), {"spacing", "0.2"},
             side_of(liquid.scene("dam_break"), {{"spacing", {"0.2"}}}, "velocity_verlet"));
   }
 }
 
 TEST_CASE("the sides differ in one thing only; all else counts for both", "[window]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud", {{"particles", {"30"}}}));
+  Session session(stage, until_half("cloud", {{"particles", {"30"}}}));
   session.step(3);
   session.toggle_side_by_side();
   REQUIRE(session.sides() != nullptr);
@@ -135,13 +135,13 @@ TEST_CASE("the sides differ in one thing only; all else counts for both", "[wind
 TEST_CASE("when one side diverges the other goes on, on the same clock; when both do, the run has stopped",
           "[window]") {
   const Stage stage = stage3::stage();
-  auto options = of("cloud", {{"particles", {"40"}}, {"dt", {"0.02"}}});
+  auto options = until_half("cloud", {{"particles", {"40"}}, {"dt", {"0.02"}}});
   options.until = {1.5, Origin::flag};
   Session session(stage, options);
   session.toggle_side_by_side();
   session.differ_in("dt");
   session.choose_other("0.001");
-  for (int k = 0; k < 2000 && !session.paused(); ++k) session.advance(frame, plenty);
+  for (int k = 0; k < 2000 && !session.paused(); ++k) session.advance(a_frame, unlimited);
   REQUIRE(session.diverged());
   CHECK_FALSE(session.sides()->left().runs());
   CHECK(session.sides()->right().runs());
@@ -150,14 +150,14 @@ TEST_CASE("when one side diverges the other goes on, on the same clock; when bot
   CHECK_FALSE(session.sides()->comparison().difference());
   session.choose_other("0.02");
   session.toggle_pause();
-  for (int k = 0; k < 2000 && !session.stopped(); ++k) session.advance(frame, plenty);
+  for (int k = 0; k < 2000 && !session.stopped(); ++k) session.advance(a_frame, unlimited);
   CHECK(session.stopped());
 }
 
 TEST_CASE("the printed formulation stands beside the consistent one, which lacks the handout's parameters",
           "[window]") {
   const Stage stage = stage4::stage();
-  Session session(stage, of("handout", {{"signs", {"printed"}}}));
+  Session session(stage, until_half("handout", {{"signs", {"printed"}}}));
   session.toggle_side_by_side();
   REQUIRE(session.sides() != nullptr);
   CHECK(session.sides()->contrast().name == "formulation");

@@ -71,7 +71,7 @@ TEST_CASE(
 TEST_CASE("the side that diverges says so in its own half, and the other one goes on", "[window]") {
   Desk desk("one-diverges");
   desk.start(
-      {cloud, "cloud", "--integrator", "explicit_euler", "--set", "dt=0.004", "--set", "particles=200"});
+      {cloud, "cloud", "--integrator", "explicit_euler", "--set", "dt=0.0015", "--set", "particles=200"});
   desk.await("scene cloud");
   desk.key("b");
   desk.await("sides integrator=velocity_verlet");
