@@ -7,11 +7,10 @@ namespace clapotis::stage5 {
 
 /// The line y = height(x) for 0 <= x <= width.
 template <class Height>
-Vectors curve(double width, const Height& height) {
-  constexpr Index points = 97;
+Vectors curve(double width, const Height& height, Index points = 97) {
   Vectors line(points, 2);
   for (Index k = 0; k < points; ++k) {
-    const double x = width * static_cast<double>(k) / (points - 1);
+    const double x = width * static_cast<double>(k) / static_cast<double>(points - 1);
     line.row(k) << x, height(x);
   }
   return line;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double smallest_ring = 5;  ///< radius of the ring of a particle of the reference [pixel]
 constexpr double width = 2.5;        ///< of its lines [pixel]
-constexpr double dot_radius = 3;     ///< radius of a point that was measured [pixel]
+constexpr double dot_radius = 4;     ///< radius of a point that was measured [pixel]
 constexpr double mark_height = 90;   ///< of the staff of a mark, to where water is rare [pixel]
 
 /// Translucent, so that what moves below it is not lost.
@@ -44,7 +44,9 @@ void paint_sign(Canvas& canvas, KeyLine::Sign sign, Point middle, double room, d
   const double radius = room / 3;
   if (sign == KeyLine::Sign::ring)
     canvas.discs(std::array{Disc{middle, radius, ink::ghost, radius - width * scale}});
-  if (sign == KeyLine::Sign::dot) canvas.discs(std::array{Disc{middle, dot_radius * scale, ink::text}});
+  if (sign == KeyLine::Sign::dot)
+    canvas.discs(std::array{Disc{middle, dot_radius * scale, ink::text},
+                            Disc{middle, (dot_radius - 1.2) * scale, ink::paper}});
   if (sign == KeyLine::Sign::line)
     canvas.line(std::array{Point{middle.x - room / 2, middle.y}, Point{middle.x + room / 2, middle.y}},
                 ink::ghost, width * scale);
@@ -143,8 +145,8 @@ void paint_measured(Canvas& canvas, const Ghosts& ghosts, const PictureView& vie
   for (Eigen::Index i = 0; i < ghosts.measured_x.size(); ++i) {
     const Point at = view.to_pixel(ghosts.measured_x[i], ghosts.measured_y[i]);
     if (!is_number(at) || !view.shows(at)) continue;
-    discs.push_back({at, (dot_radius + 1) * view.scale, ink::paper});
     discs.push_back({at, dot_radius * view.scale, ink::text});
+    discs.push_back({at, (dot_radius - 1.2) * view.scale, ink::paper});
   }
   if (!discs.empty()) canvas.discs(discs);
 }
@@ -153,10 +155,10 @@ void paint_measured(Canvas& canvas, const Ghosts& ghosts, const PictureView& vie
 
 void paint_reference(Canvas& canvas, const Picture& picture, const PictureView& view) {
   if (const auto& ghosts = picture.ghosts) {
+    paint_measured(canvas, *ghosts, view);
     if (ghosts->shape == Shape::particles) paint_rings(canvas, picture, view);
     if (ghosts->shape == Shape::marks) paint_labels(canvas, *ghosts, view);
     if (ghosts->shape == Shape::outline || ghosts->shape == Shape::lines) paint_lines(canvas, *ghosts, view);
-    paint_measured(canvas, *ghosts, view);
   }
   paint_key(canvas, picture, view);
 }

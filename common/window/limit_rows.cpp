@@ -35,7 +35,7 @@ std::string seconds(double limit) {
 }
 
 std::string per_cent(double share) {
-  return share < 9.995 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("{:.2g} x", share);
+  return share < 2 ? fmt::format("{:.0f} %", 100 * share) : fmt::format("x{:.2g}", share);
 }
 
 void hint(const StepLight& light, double dt) {

@@ -54,10 +54,13 @@ std::string duration(double milliseconds) {
 void Panel::lay_out(WindowState& state, const Box& area) {
   ImGui::SetNextWindowPos({static_cast<float>(area.corner.x), static_cast<float>(area.corner.y)});
   ImGui::SetNextWindowSize({static_cast<float>(area.extent.x), static_cast<float>(area.extent.y)});
+  const auto padding = ImGui::GetStyle().WindowPadding;  // the whole panel of a cloud is to be seen
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding.x, padding.y / 2});
   ImGui::Begin("panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PopStyleVar();
   transport(state);
   scene(state);
   mouse(state);

@@ -51,7 +51,7 @@ void lay_out_time_line(WindowState& state, const Box& area, Controls& controls) 
                           ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
     session.go_to(wanted);
   ImGui::EndDisabled();
-  controls.name_last("time line");
+  controls.name_last("time_line");
   ImGui::SameLine();
   text(last);
   ImGui::End();

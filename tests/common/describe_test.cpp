@@ -127,10 +127,9 @@ TEST_CASE("each scene with a reference shows its shape over the flow, and how fa
       REQUIRE(picture.ghosts);
       CHECK_FALSE(picture.note.empty());
       CHECK_FALSE(picture.ghosts->label.empty());
-      Index seen = 0;
-      for (Index k = 0; k < picture.ghosts->x.size(); ++k)
-        if (simulation.setup().view.contains({picture.ghosts->x(k), picture.ghosts->y(k) + 1e-9})) ++seen;
-      CHECK(seen > 0);
+      const auto& view = simulation.setup().view;
+      const auto &x = picture.ghosts->x, &y = picture.ghosts->y;
+      CHECK((x >= view.left && x <= view.right && y >= view.bottom && y <= view.top).any());
       if (!simulation.setup().reference->measured) continue;
       CHECK(picture.ghosts->measured_x.size() > 0);
       CHECK(picture.ghosts->measured_x.size() <= simulation.particles().size());

@@ -48,11 +48,11 @@ void live(Diary& diary, Session& session, int steps) {
   }
 }
 
-/// Frames of a window, each of several steps.
+/// Frames of a window, each of ten steps or so.
 void run(Diary& diary, Session& session, int frames) {
   if (session.paused()) session.toggle_pause();
   for (int k = 0; k < frames; ++k) {
-    session.advance(frame, plenty);
+    session.advance(10 * session.simulation().dt(), plenty);
     note(diary, session);
   }
 }

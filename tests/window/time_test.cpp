@@ -40,7 +40,7 @@ TEST_CASE("the time line is dragged to a moment of the run, which pauses, and fr
   desk.await("paused");
   const auto end = desk.await("step ");
   CHECK(end.find("t=2 ") != std::string::npos);
-  const Place line = desk.control("time line");
+  const Place line = desk.control("time_line");
   desk.drag(line.x + line.width - 12, line.centre_y(), line.centre_x(), line.centre_y());
   std::string middle;
   double time = 2;
