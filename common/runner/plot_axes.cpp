@@ -32,12 +32,13 @@ AxisRange roomy(AxisRange y) {
   return range;
 }
 
-/// Whole decades, for y is already a logarithm.
-AxisRange whole_decades(AxisRange y) {
+/// Whole decades, for y is already a logarithm; `lowest_top` is the greatest value of the lowest curve.
+AxisRange whole_decades(AxisRange y, double lowest_top) {
   if (!(y.lo <= y.hi)) return {-1, 0};
   // An error that begins at rounding must not press its later course into a line.
-  constexpr double most_decades = 6;
-  const AxisRange range{std::max(std::floor(y.lo), std::ceil(y.hi) - most_decades), std::ceil(y.hi)};
+  constexpr double most_decades = 6, most_of_all = 14;
+  const double below = std::max(lowest_top - most_decades, y.hi - most_of_all);
+  const AxisRange range{std::max(std::floor(y.lo), std::ceil(below)), std::ceil(y.hi)};
   return range.hi > range.lo ? range : AxisRange{range.lo - 1, range.hi + 1};
 }
 
@@ -97,18 +98,23 @@ double ordinate(const Plot& plot, double y) {
 
 PlotRanges ranges_of(const Plot& plot) {
   AxisRange x{infinity, -infinity}, y{infinity, -infinity};
+  double lowest_top = infinity;
   const auto include_all = [&](const std::vector<double>& xs, const std::vector<double>& ys) {
+    AxisRange own{infinity, -infinity};
     for (std::size_t k = 0; k < xs.size(); ++k) {
       if (std::isfinite(xs[k])) include(x, xs[k]);
-      if (std::isfinite(ys[k]) && (!plot.log_y || ys[k] > 0)) include(y, ys[k]);
+      if (std::isfinite(ys[k]) && (!plot.log_y || ys[k] > 0)) include(own, ys[k]);
     }
+    if (!(own.lo <= own.hi)) return;
+    y = {std::min(y.lo, own.lo), std::max(y.hi, own.hi)};
+    lowest_top = std::min(lowest_top, own.hi);
   };
   for (const Curve& curve : plot.curves) include_all(curve.xs, curve.ys);
   for (const Bars& bars : plot.bars) include_all(bars.xs, bars.ys);
   if (!(x.lo <= x.hi)) x = {0, 1};
   if (x.lo == x.hi) x.hi = x.lo + std::max(1.0, std::abs(x.lo));  // a run that has just begun
   if (!plot.log_y) return {x, roomy(y)};
-  return {x, whole_decades({std::log10(y.lo), std::log10(y.hi)})};
+  return {x, whole_decades({std::log10(y.lo), std::log10(y.hi)}, std::log10(lowest_top))};
 }
 
 PlotFrame paint_axes(Canvas& canvas, const Plot& plot, const Box& area, double scale) {

@@ -352,11 +352,19 @@ TEST_CASE("a picture whose columns differ in length is refused", "[pictures]") {
   CHECK_THROWS_AS(paint(canvas, picture), std::invalid_argument);
 }
 
-TEST_CASE("a comparison paints both pictures", "[pictures]") {
+TEST_CASE("a comparison paints both pictures, one legend, and why a side stopped", "[pictures]") {
   Picture left = cloud(7), right = cloud(9);
   left.radius = right.radius = 1;
+  left.legend = right.legend = false;
+  right.alarm = "diverged at step 12";
   RecordingCanvas canvas;
-  paint_sheet(canvas, left, right);
+  paint_sheet(canvas, left, Beside{"Stage 2", "t = 1 s", right});
+  const auto said = [&](const std::string& words) {
+    return std::ranges::count_if(canvas.texts, [&](const auto& text) { return text.words == words; });
+  };
+  CHECK(said("Stage 2") == 1);
+  CHECK(said("diverged at step 12") == 1);
+  CHECK(said("|v| [px/s]") == 1);
   CHECK(canvas.disc_calls.at(0).size() == 7);
   CHECK(canvas.disc_calls.at(2).size() == 9);
   for (const Disc& disc : canvas.disc_calls.at(0)) CHECK(disc.centre.x < 640);

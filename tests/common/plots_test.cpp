@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "common/runner/plot.hpp"
+#include "common/runner/plot_axes.hpp"
 #include "tests/catch.hpp"
 #include "tests/common/recording_canvas.hpp"
 
@@ -120,6 +121,19 @@ TEST_CASE("a curve with more times than energies is refused by its name", "[plot
   Plot plot = plot_of({1, 2, 3});
   plot.curves[0].xs.push_back(4);
   CHECK_THROWS_WITH(paint(canvas, plot, strip), "curve \"total\" needs as many ys as xs");
+}
+
+TEST_CASE("a logarithmic axis reaches down to the lowest of two errors", "[pictures]") {
+  Plot plot;
+  plot.log_y = true;
+  plot.curves.resize(2);
+  plot.curves[0].xs = plot.curves[1].xs = {0, 1};
+  plot.curves[0].ys = {1e-16, 2e-4};
+  plot.curves[1].ys = {1e-18, 2e-12};
+  CHECK(ranges_of(plot).y.lo == -17);
+  CHECK(ranges_of(plot).y.hi == -3);
+  plot.curves.pop_back();
+  CHECK(ranges_of(plot).y.lo == -9);  // its beginning at rounding does not press its course into a line
 }
 
 }  // namespace clapotis
