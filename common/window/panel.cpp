@@ -63,6 +63,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   transport(state);
+  if (lesson_.lay_out(state)) return ImGui::End();
   scene(state);
   mouse(state);
   parameters(state);

@@ -40,7 +40,7 @@ void apply(double scale) {
   auto& style = ImGui::GetStyle();
   style.WindowPadding = {14, 10};
   style.FramePadding = {8, 3};
-  style.ItemSpacing = {8, 6};
+  style.ItemSpacing = {8, 5};  // so that the panel of a cloud fits 720 rows
   style.ItemInnerSpacing = {6, 4};
   style.ScrollbarSize = 14;
   style.GrabMinSize = 10;
@@ -68,6 +68,13 @@ void apply(double scale) {
   colours[ImGuiCol_Header] = of({0.86f, 0.905f, 0.95f});
   colours[ImGuiCol_HeaderHovered] = of({0.80f, 0.87f, 0.94f});
   colours[ImGuiCol_HeaderActive] = of({0.72f, 0.82f, 0.92f});
+  colours[ImGuiCol_Tab] = of(button);
+  colours[ImGuiCol_TabHovered] = of({0.80f, 0.86f, 0.92f});
+#if IMGUI_VERSION_NUM >= 19090
+  colours[ImGuiCol_TabSelected] = of({0.72f, 0.82f, 0.92f});
+#else
+  colours[ImGuiCol_TabActive] = of({0.72f, 0.82f, 0.92f});
+#endif
   colours[ImGuiCol_Separator] = of(border);
   colours[ImGuiCol_TextSelectedBg] = of(accent, 0.30f);
 }

@@ -6,6 +6,7 @@
 
 #include "common/simulation/errors.hpp"
 #include "common/window/cost_meter.hpp"
+#include "common/window/lesson_play.hpp"
 #include "common/window/recorder.hpp"
 #include "common/window/session.hpp"
 #include "common/window/sight.hpp"
@@ -30,11 +31,13 @@ inline std::string tool_name(Tool tool) { return tool_names[static_cast<std::siz
 /// All that the user of the window can change, and what every part of it reads.
 struct WindowState {
   Session session;
+  LessonPlay lesson;
   Sight sight{};
   CostMeter cost{};
   Recorder recorder{};
   Notice notice{};
   bool panel = true, help = false;
+  bool lesson_shown = false;  ///< the panel's tab
   bool picture_wanted = false, quit = false;
   bool menu_open = false;   ///< a list of the panel is open
   bool close_menu = false;  ///< ... and Esc was pressed
