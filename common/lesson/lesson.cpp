@@ -27,7 +27,7 @@ std::string LessonRun::summary() const {
     if (word == "--headless") continue;  // what follows has a value
     ++k;
     if (word == "--set" || word == "--integrator" || word == "--preset") add(value);
-    if (word == "--until") end = "t = " + value + " s";
+    if (word == "--until") end = "t\u00a0=\u00a0" + value + "\u00a0s";
     if (word == "--steps") end = say(clapotis::words().lesson.steps, fmt::arg("count", value));
   }
   if (!end.empty()) add(end);

@@ -42,7 +42,7 @@ struct LessonRun {
   [[nodiscard]] std::string summary() const;
 };
 
-/// The sentences of an exercise. An empty line parts paragraphs.
+/// The sentences of an exercise, without the marks of the form. An empty line parts paragraphs.
 struct Wording {
   std::string title, predict, explain;
 };

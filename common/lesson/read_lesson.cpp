@@ -67,10 +67,20 @@ std::string_view enter(Reader& reader, std::string_view mark) {
   return rest;
 }
 
+/// Without the marks of code and links: [Stage 3](../README.md) is Stage 3.
+std::string plain(std::string text) {
+  std::erase(text, '`');
+  for (auto at = text.find("]("); at != std::string::npos; at = text.find("](", at)) {
+    text.erase(at, text.find(')', at) + 1 - at);
+    if (const auto start = text.rfind('[', at); start != std::string::npos) text.erase(start, 1);
+  }
+  return text;
+}
+
 std::string section(Reader& reader, std::string_view mark) {
   const auto first = enter(reader, mark);
   const int line = reader.number() - 1;
-  auto text = paragraphs(reader, first);
+  auto text = plain(paragraphs(reader, first));
   if (text.empty()) reader.refuse(line, fmt::format("**{}.** says nothing", mark));
   return text;
 }

@@ -150,17 +150,26 @@ void LessonTab::run(WindowState& state, std::size_t number) {
   if (pressed) state.attempt([&] { lesson.start(number, state.session); });
 }
 
-/// "error = 0.00531 m", and with the answer what was expected, with a tick or a cross.
+/// "error = 0.00531 m", and with the answer what was expected, with a tick or a cross; both in a line where
+/// it is long enough.
 void LessonTab::check(const LessonPlay& lesson, std::size_t number) {
   const auto& check = lesson.exercise().checks[number];
   const auto& measured = lesson.findings().measured(number);
-  coloured(what(check) + " = " + (measured ? with_unit(in_digits(*measured), check) : std::string("…")),
-           measured ? theme::ink : theme::faint);
+  const bool starts = lesson.can_start(lesson.exercise().runs[check.run]);
+  if (!starts && !lesson.answer_shown()) return;
+  const float whole = room();
+  const auto found = measured ? with_unit(in_digits(*measured), check) : std::string("…");
+  const auto left = starts ? what(check) + " = " + found : what(check);
+  coloured(left, measured ? theme::ink : theme::faint);
   if (!lesson.answer_shown()) return;
-  const auto text = say(w().expected, fmt::arg("value", expected(check)));
-  if (!measured) return coloured(text, theme::faint);
-  coloured((check.holds(*measured) ? "✓ " : "✗ ") + text,
-           check.holds(*measured) ? theme::accent : theme::warning);
+  const bool holds = measured && check.holds(*measured);
+  const auto text = std::string(!measured ? ""
+                                : holds   ? "✓ "
+                                          : "✗ ") +
+                    say(w().expected, fmt::arg("value", expected(check)));
+  const auto width = [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; };
+  if (width(left) + width(text) + ImGui::GetStyle().ItemSpacing.x < whole) ImGui::SameLine();
+  coloured(text, !measured ? theme::faint : holds ? theme::accent : theme::warning);
 }
 
 }  // namespace clapotis

@@ -27,7 +27,7 @@ const std::string example = R"(# Title
 
 ### 1. Half the step
 **Predict.** What happens
-to the error?
+to the `error`?
 
 And to the cost?
 
@@ -93,7 +93,7 @@ TEST_CASE("an exercise has its words in both languages, its runs and its checks"
   REQUIRE(first.runs.size() == 3);
   CHECK(first.runs[0].kind == LessonRun::Kind::run);
   CHECK(first.runs[0].stage == "stage1_bouncing");
-  CHECK(first.runs[0].summary() == "drop, rk4, dt=0.002, t = 0.4 s");
+  CHECK(first.runs[0].summary() == "drop, rk4, dt=0.002, t\u00a0=\u00a00.4\u00a0s");
   CHECK(first.runs[1].kind == LessonRun::Kind::compare);
   CHECK(first.runs[2].kind == LessonRun::Kind::other);
   REQUIRE(first.checks.size() == 2);
