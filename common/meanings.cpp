@@ -40,6 +40,8 @@ constexpr std::array meanings{
     Meaning{"column_width", "width of the column of water", "largeur de la colonne d'eau"},
     Meaning{"column_height", "height of the column of water", "hauteur de la colonne d'eau"},
     Meaning{"depth", "depth of the water at rest", "profondeur de l'eau au repos"},
+    Meaning{"plate_speed", "speed of the upper plate", "vitesse de la plaque du haut"},
+    Meaning{"length", "length of the channel, or of the slope", "longueur du canal, ou du plan incliné"},
     Meaning{"driving", "acceleration that drives the liquid", "accélération qui entraîne le liquide"},
     Meaning{"side", "side of the square", "côté du carré"},
     Meaning{"strain_rate", "rate at which the drop is stretched at the start",

@@ -20,7 +20,7 @@ constexpr std::array names_in_lists{
     // quantities that particles are coloured by
     Name{"speed", "vitesse"}, Name{"pressure", "pression"}, Name{"vorticity", "vorticité"},
     Name{"density_error", "density error", "écart de densité"}, Name{"density", "masse volumique"},
-    Name{"force", "force"}, Name{"plain", "unie"},
+    Name{"force", "force"}, Name{"mass", "masse"}, Name{"across", "distance à l'axe"}, Name{"plain", "unie"},
     // what two sides may differ in
     Name{"neighbour_search", "neighbour search", "recherche des voisins"}, Name{"grid", "grille"},
     Name{"list", "liste"},

@@ -418,6 +418,20 @@ constexpr Words english{
                     .step_back = "One step back",
                 },
         },
+
+    .lesson =
+        {
+            .tab_scene = "Scene",
+            .tab_lesson = "Lesson",
+            .exercise = "Exercise {number} of {count}",
+            .run = "Run",
+            .steps = "{count} steps",
+            .in_terminal = "in a terminal:",
+            .changed = "changed by hand: run it again",
+            .expected = "expected {value}",
+            .show_answer = "Show the answer",
+            .hide_answer = "Hide the answer",
+        },
 };
 
 static_assert(english == french, "a French sentence does not say what the English one says");

@@ -106,6 +106,13 @@ struct Words {
     constexpr bool operator==(const Window&) const = default;
   } window;
 
+  // the exercises of a stage, in a tab of the panel
+  struct Lesson {
+    Word tab_scene, tab_lesson, exercise, run, steps, in_terminal, changed, expected, show_answer,
+        hide_answer;
+    constexpr bool operator==(const Lesson&) const = default;
+  } lesson;
+
   /// What the compiler uses to compare two languages word by word, see Word.
   constexpr bool operator==(const Words&) const = default;
 };

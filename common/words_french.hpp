@@ -431,6 +431,20 @@ inline constexpr Words french{
                     .step_back = "Un pas en arrière",
                 },
         },
+
+    .lesson =
+        {
+            .tab_scene = "Scène",
+            .tab_lesson = "Exercices",
+            .exercise = "Exercice {number} sur {count}",
+            .run = "Lancer",
+            .steps = "{count} pas",
+            .in_terminal = "dans un terminal :",
+            .changed = "modifié à la main : à relancer",
+            .expected = "attendu {value}",
+            .show_answer = "Montrer la réponse",
+            .hide_answer = "Cacher la réponse",
+        },
 };
 
 }  // namespace clapotis

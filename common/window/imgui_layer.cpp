@@ -103,9 +103,9 @@ void feed(const Input& input) {
 #endif
 
 /// Latin, Greek, and the punctuation, arrows, superscripts and operators of formulas.
-constexpr std::array<ImWchar, 17> glyphs{0x20,   0x17F,  0x370,  0x3FF,  0x1D62, 0x1D6A,
-                                         0x2000, 0x2027, 0x2032, 0x2033, 0x2070, 0x209F,
-                                         0x2190, 0x22FF, 0x25A0, 0x25FF, 0};
+constexpr std::array<ImWchar, 19> glyphs{0x20,   0x17F,  0x370,  0x3FF,  0x1D62, 0x1D6A, 0x2000,
+                                         0x2027, 0x2032, 0x2033, 0x2070, 0x209F, 0x2190, 0x22FF,
+                                         0x25A0, 0x25FF, 0x2713, 0x2717, 0};
 
 void load_fonts(double scale) {
   auto& fonts = *ImGui::GetIO().Fonts;

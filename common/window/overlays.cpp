@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/window/keys.hpp"
+#include "common/window/paragraph.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
@@ -34,23 +35,6 @@ void end_box() {
   ImGui::End();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
-}
-
-/// Lines no wider than `room`, broken at spaces only: ImGui would also break a number at its dot.
-void paragraph(std::string_view sentence, float room) {
-  std::string line;
-  while (!sentence.empty()) {
-    const auto end = std::min(sentence.find(' ', 1), sentence.size());
-    const auto longer = line + std::string(sentence.substr(0, end));
-    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > room) {
-      text(line);
-      line = sentence.substr(1, end - 1);
-    } else {
-      line = longer;
-    }
-    sentence.remove_prefix(end);
-  }
-  text(line);
 }
 
 float text_room(const Box& area, double scale) {

@@ -62,6 +62,7 @@ void Panel::lay_out(WindowState& state, const Box& area) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar();
   transport(state);
+  if (lesson_.lay_out(state)) return ImGui::End();
   scene(state);
   mouse(state);
   parameters(state);
@@ -107,7 +108,7 @@ void Panel::speed(WindowState& state) {
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::Text("x%s", fmt::format("{:.4g}", session.speed()).c_str());
-  ImGui::SameLine(start + label_width * whole + 4 * side);
+  ImGui::SameLine(start + label_width * whole + 4.6F * side);
   if (button("faster", "+", side)) session.change_speed(1);
   ImGui::SameLine(start + whole - side);
   if (button("help", "?", side)) state.help = !state.help;

@@ -6,6 +6,7 @@
 
 #include "common/runner/canvas.hpp"
 #include "common/window/controls.hpp"
+#include "common/window/lesson_tab.hpp"
 #include "common/window/parameter_rows.hpp"
 #include "common/window/sides_section.hpp"
 #include "common/window/window_state.hpp"
@@ -15,7 +16,7 @@ namespace clapotis {
 /// The right part of the window: what can be set, and what the run costs.
 class Panel {
  public:
-  explicit Panel(Controls& controls) : controls_(controls) {}
+  explicit Panel(Controls& controls) : controls_(controls), lesson_(controls) {}
   void lay_out(WindowState& state, const Box& area);
 
  private:
@@ -42,6 +43,7 @@ class Panel {
   Controls& controls_;
   ParameterRows rows_;
   SidesSection sides_;
+  LessonTab lesson_;
 };
 
 }  // namespace clapotis

@@ -22,10 +22,20 @@ std::unique_ptr<Parameters> defaults_of(const Scene& scene) {
 }  // namespace
 
 Session::Session(const Stage& stage, const Options& options)
-    : stage_(stage), given_(options.parameters), threads_(options.threads.value), paused_(options.paused) {
+    : stage_(stage), threads_(options.threads.value) {
+  begin(options);
+}
+
+void Session::begin(const Options& options) {
+  auto simulation = start_simulation(stage_, options);
+  sides_.reset();
+  play(std::move(simulation));
+  given_ = options.parameters;
+  paused_ = options.paused;
+  until_.reset();
+  steps_until_.reset();
   if (options.until && options.until->origin != Origin::law) until_ = options.until->value;
   if (options.steps) steps_until_ = options.steps->value;
-  play(start_simulation(stage, options));
   if (options.beside) put_beside(options.beside->first, options.beside->second);
 }
 
@@ -136,6 +146,7 @@ bool Session::step_once() {
   }
   ++work_.steps;
   work_.simulated += simulation_->time() - before;
+  if (after_step_) after_step_(*simulation_);
   return true;
 }
 

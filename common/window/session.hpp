@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "common/runner/history.hpp"
 #include "common/runner/options.hpp"
@@ -39,6 +40,10 @@ class Session {
   void set(const std::string& parameter, const std::string& value);  ///< restarts the scene when it must
   void choose_preset(const std::string& name);  ///< of the scene, which restarts with its values
   void restore_defaults();                      ///< of all parameters; restarts the scene
+  /// Starts what a command line asks for, as if the window had been opened with it.
+  void begin(const Options& options);
+  /// What is to be called after each step; nothing for an empty function.
+  void watch(std::function<void(Simulation&)> after_step) { after_step_ = std::move(after_step); }
   /// Goes on from a saved state of this stage. Throws FileError when it does not fit.
   void restore(const SavedState& saved);
 
@@ -110,6 +115,7 @@ class Session {
   const Stage& stage_;
   Overrides given_;  ///< on the command line: every scene that has such a parameter starts with it
   int threads_;
+  std::function<void(Simulation&)> after_step_;
   std::optional<double> until_;      ///< --until: pause at that simulated time [s]
   std::optional<long> steps_until_;  ///< --steps: pause after so many
   std::size_t scene_ = 0;

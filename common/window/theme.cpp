@@ -47,7 +47,7 @@ void apply(double scale) {
     ImGui::StyleColorsLight();
   style.WindowPadding = {14, 10};
   style.FramePadding = {8, 3};
-  style.ItemSpacing = {8, 6};
+  style.ItemSpacing = {8, 5};  // so that the panel of a cloud fits 720 rows
   style.ItemInnerSpacing = {6, 4};
   style.ScrollbarSize = 14;
   style.GrabMinSize = 10;
@@ -76,6 +76,13 @@ void apply(double scale) {
   colours[ImGuiCol_Header] = mix(p.field, p.accent, 0.16F);
   colours[ImGuiCol_HeaderHovered] = mix(p.field, p.accent, 0.24F);
   colours[ImGuiCol_HeaderActive] = mix(p.field, p.accent, 0.34F);
+  colours[ImGuiCol_Tab] = of(p.button);
+  colours[ImGuiCol_TabHovered] = mix(p.button, p.accent, 0.14F);
+#if IMGUI_VERSION_NUM >= 19090
+  colours[ImGuiCol_TabSelected] = mix(p.field, p.accent, 0.34F);
+#else
+  colours[ImGuiCol_TabActive] = mix(p.field, p.accent, 0.34F);
+#endif
   colours[ImGuiCol_Separator] = of(p.grid);
   colours[ImGuiCol_TextSelectedBg] = of(p.accent, 0.30F);
 }

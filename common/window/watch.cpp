@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 #include "common/laws/hand.hpp"
 #include "common/runner/ink.hpp"
 #include "common/window/step_light.hpp"
@@ -30,6 +32,26 @@ void watch_sides(const Session& session, std::map<std::string, std::string>& now
                                     sides->comparison().largest().largest);
 }
 
+void add_lesson(const WindowState& state, std::map<std::string, std::string>& now) {
+  const auto& lesson = state.lesson;
+  if (lesson.empty()) return;
+  now["tab"] = state.lesson_shown ? "tab lesson" : "tab scene";
+  now["exercise"] = fmt::format("exercise {}", lesson.place() + 1);
+  now["answer"] = on("answer", lesson.answer_shown());
+  constexpr std::array progress{"none", "running", "done", "changed"};
+  for (std::size_t k = 0; k < lesson.exercise().runs.size(); ++k) {
+    const auto name = fmt::format("run {}", k + 1);
+    now[name] = name + " " + progress[static_cast<std::size_t>(lesson.progress(k))];
+  }
+  for (std::size_t k = 0; k < lesson.exercise().checks.size(); ++k) {
+    const auto name = fmt::format("check {}", k + 1);
+    const auto& measured = lesson.findings().measured(k);
+    now[name] = name + (!measured                                      ? " open"
+                        : lesson.exercise().checks[k].holds(*measured) ? " holds"
+                                                                       : " fails");
+  }
+}
+
 std::map<std::string, std::string> lines(const WindowState& state, Point window) {
   const auto& session = state.session;
   const auto& simulation = session.simulation();
@@ -55,6 +77,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["scale"] = fmt::format("scale {:.4g}", state.scale);
   now["panel"] = on("panel", state.panel);
   now["help"] = on("help", state.help);
+  add_lesson(state, now);
   using enum StepLight::Colour;
   const auto light = step_light(simulation).colour;
   now["light"] = std::string("step is ") + (light == red ? "red" : light == amber ? "amber" : "calm");

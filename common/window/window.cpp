@@ -50,7 +50,8 @@ std::string beyond_limit(const StepLight& light, double dt) {
 class Window {
  public:
   Window(const Stage& stage, const Options& options)
-      : state_{.session = Session(stage, options)}, screen_(title(state_.session), 1280, 720, options.scale) {
+      : state_{.session = Session(stage, options), .lesson = LessonPlay(stage)},
+        screen_(title(state_.session), 1280, 720, options.scale) {
     state_.scale = screen_.scale();
     look_at_scene();
     state_.sight.colour_by(colouring(state_.session.simulation(), options.colour_by));
@@ -63,6 +64,7 @@ class Window {
     while (!state_.quit && !Interrupt::asked()) {
       const double now = wall_seconds(), elapsed = now - last;
       last = now;
+      state_.lesson.follow(state_.session);
       const auto inputs = screen_.poll();
       moved_ = false;
       for (const Input& input : inputs) {

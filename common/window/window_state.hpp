@@ -6,6 +6,7 @@
 
 #include "common/simulation/errors.hpp"
 #include "common/window/cost_meter.hpp"
+#include "common/window/lesson_play.hpp"
 #include "common/window/recorder.hpp"
 #include "common/window/session.hpp"
 #include "common/window/sight.hpp"
@@ -33,11 +34,13 @@ inline constexpr std::array<double, 5> scales{1, 1.25, 1.5, 1.75, 2};
 /// All that the user of the window can change, and what every part of it reads.
 struct WindowState {
   Session session;
+  LessonPlay lesson;
   Sight sight{};
   CostMeter cost{};
   Recorder recorder{};
   Notice notice{};
   bool panel = true, help = false;
+  bool lesson_shown = false;  ///< the panel's tab
   bool picture_wanted = false, quit = false;
   bool menu_open = false;   ///< a list of the panel is open
   bool close_menu = false;  ///< ... and Esc was pressed

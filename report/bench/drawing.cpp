@@ -29,7 +29,7 @@ TEST_CASE("drawing the cloud of stage 3: our own processor time per frame", "[dr
   constexpr int frames = 120;
   const Stage stage = stage3::stage();
   for (const long n : {500, 5000, 20000}) {
-    WindowState state{.session = Session(stage, Options{})};
+    WindowState state{.session = Session(stage, Options{}), .lesson = LessonPlay(stage)};
     const auto side = to_text(std::ceil(40 * std::sqrt(static_cast<double>(n))));
     for (const auto& [name, value] : Defaults{{"width", side}, {"height", side}})
       state.session.set(name, value);

@@ -222,7 +222,7 @@ TEST_CASE("who says when to stop overrules both ways of saying it from a weaker 
   CHECK_THAT(config.out, !ContainsSubstring("until"));
 }
 
-TEST_CASE("the environment may speak of other scenes; that is said, and a wrong value is refused",
+TEST_CASE("the environment may speak of other scenes, that is said, and a wrong value is refused",
           "[runner]") {
   const Scratch scratch;
   const Start other{.environment = {{"CLAPOTIS_GRAVTY", "3"}}};

@@ -26,7 +26,7 @@ const std::string english = "stage1_bouncing: mass = -1 kg is out of range: mass
 
 }  // namespace
 
-TEST_CASE("--lang fr speaks French, with the same exit code", "[language]") {
+TEST_CASE("a program asked for --lang fr speaks French, with the same exit code", "[language]") {
   CHECK(refusal({}) == english);
   CHECK(refusal({}, {"--lang", "fr"}) == french);
   CHECK(refusal({}, {"--lang=fr"}) == french);

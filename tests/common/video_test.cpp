@@ -106,7 +106,7 @@ TEST_CASE("without an ffmpeg a video is refused with 4 and the remedy before any
   CHECK_FALSE(fs::exists(scratch / "r"));
 }
 
-TEST_CASE("a video is named .mp4 and goes to a folder that exists; its pace needs a video", "[video]") {
+TEST_CASE("a video is named .mp4 and goes to a folder that exists, and its pace needs a video", "[video]") {
   const Scratch scratch;
   const auto start = with_encoder(scratch, keeps_all);
   const auto refused = [&](std::vector<std::string> arguments, int code, const std::string& sentence) {

@@ -34,7 +34,8 @@ TEST_CASE("F2 changes the language of the window at once, and nothing else", "[w
   CHECK(desk.await("notice ").starts_with("There is nothing to come back to"));
 }
 
-TEST_CASE("the window opens in the language of the environment; what diverged says so in it", "[window]") {
+TEST_CASE("the window opens in the language of the environment, and what diverged says so in it",
+          "[window]") {
   Desk desk("french");
   desk.start({STAGE2_PROGRAM, "pair", "--set", "dt=0.05", "--integrator", "explicit_euler"},
              {{"LC_ALL", "fr_FR.UTF-8"}});

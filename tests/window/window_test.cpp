@@ -47,7 +47,7 @@ void type_value(Desk& desk, const std::string& name, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the window opens on the first scene and runs; Esc ends it", "[window]") {
+TEST_CASE("the window opens on the first scene and runs, and Esc ends it", "[window]") {
   Desk desk("opens");
   desk.start({stage3});
   desk.await("scene cloud");
@@ -113,7 +113,7 @@ TEST_CASE("a live parameter follows its slider without starting the scene again"
   desk.picture("dragged");
 }
 
-TEST_CASE("a value is typed after Ctrl-click; one that is not allowed is refused and changes nothing",
+TEST_CASE("a value is typed after Ctrl-click, and one that is not allowed is refused and changes nothing",
           "[window]") {
   Desk desk("typing");
   desk.start({stage2, "--paused"});
@@ -214,7 +214,7 @@ TEST_CASE("size, zoom, panel and overlays leave the physics as it is, bit for bi
   CHECK(run(true) == run(false));
 }
 
-TEST_CASE("a minimised window goes on simulating; its close button ends the program", "[window]") {
+TEST_CASE("a minimised window goes on simulating, and its close button ends the program", "[window]") {
   Desk desk("minimised", Desk::WindowManager::openbox);
   desk.start({stage1});
   await_progress(desk);
