@@ -121,7 +121,7 @@ void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& vie
   const auto room = [&](double x) { return right - x; };
   double x = paint_ruler(canvas, picture, view, middle);
   const auto key = [&](Colour colour, double hole, const std::string& label) {
-    x += 34 * scale;
+    x += 24 * scale;
     const double radius = 9 * scale;
     const std::array sign{Disc{{x + radius, middle}, radius, colour, hole * radius}};
     canvas.discs(sign);

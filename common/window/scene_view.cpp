@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "common/runner/describe_inside.hpp"
 #include "common/runner/ink.hpp"
 #include "common/runner/save_sheet.hpp"
 #include "common/runner/units.hpp"
@@ -25,15 +24,15 @@ void paint_box(Canvas& canvas, const Box& box) {
   canvas.rectangle(box, ink::paper);
 }
 
-/// The place of the chosen particle, if it still exists; the kernel goes on with another one where it left.
-std::optional<Index> keep_chosen(Sight& sight, const Simulation& simulation) {
+/// Who left is chosen no more; the kernel goes on with another one.
+void keep_chosen(Sight& sight, const Simulation& simulation) {
   auto& id = sight.viewpoint.chosen;
+  auto& kernel = sight.viewpoint.kernel;
   if (id && !simulation.particles().place_of(*id)) {
     id.reset();
-    if (sight.kernel) sight.select_middle(simulation);
+    if (kernel) sight.select_middle(simulation);
   }
-  if (!id) sight.kernel = false;
-  return id ? simulation.particles().place_of(*id) : std::nullopt;
+  if (!id) kernel = false;
 }
 
 }  // namespace
@@ -42,7 +41,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   auto& sight = state.sight;
-  const auto chosen = keep_chosen(sight, simulation);
+  keep_chosen(sight, simulation);
   picture_ = describe(session.stage().title, simulation, sight.viewpoint);
   picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
                                   step_text(simulation), simulation.particles().size());
@@ -54,7 +53,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   }
   const double scale = state.scale;
   const double plots_height =
-      sight.plots || sight.kernel ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
+      sight.plots || sight.viewpoint.kernel ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
   const Box above{area.corner, {area.extent.x, area.extent.y - plots_height}};
   view_ = sight.view(picture_, above, picture_scale * scale);
   painter_.paint(canvas, picture_, view_);
@@ -62,7 +61,8 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   if (sight.vectors) paint_velocities(canvas, state);
   paint_brush(canvas, state);
   canvas.unclip();
-  plots_ = sight.kernel ? kernel_plots(simulation, *chosen) : plots(session.history(), simulation);
+  plots_ = picture_.chosen && sight.viewpoint.kernel ? picture_.chosen->kernel
+                                                     : plots(session.history(), simulation);
   if (plots_height < 60 * scale) return;
   const double width = area.extent.x / static_cast<double>(plots_.size());
   for (std::size_t k = 0; k < plots_.size(); ++k) {
