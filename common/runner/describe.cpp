@@ -193,7 +193,7 @@ Picture describe(const std::string& stage_title, Simulation& simulation, const V
   if (viewpoint.ghosts) add_ghosts(picture, simulation);
   if (viewpoint.grid) add_grid(picture, simulation);
   const auto chosen = viewpoint.chosen ? particles.place_of(*viewpoint.chosen) : std::nullopt;
-  if (chosen) picture.chosen = look_inside(simulation, *chosen);
+  if (chosen) picture.chosen = look_inside(simulation, *chosen, viewpoint.kernel);
   picture.note = error_note(simulation);
   return picture;
 }

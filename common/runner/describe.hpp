@@ -19,6 +19,7 @@ struct Viewpoint {
   bool ghosts = true;                ///< where the reference has the particles
   bool grid = false;                 ///< the cells of the neighbour search
   std::optional<Index> chosen = {};  ///< id of the particle that is looked into
+  bool kernel = false;               ///< and the plots of its kernel are wanted
 };
 
 /// What the particles can be coloured by: speed, in a fluid pressure, density_error and density, then force

@@ -106,7 +106,7 @@ void add_neighbours(Chosen& chosen, Simulation& simulation) {
 
 }  // namespace
 
-Chosen look_inside(Simulation& simulation, Index particle) {
+Chosen look_inside(Simulation& simulation, Index particle, bool with_kernel) {
   Chosen chosen{.particle = particle, .neighbours = {}, .label = {}};
   std::vector<ActingLaw> laws;
   const Vector r = row(simulation.particles().position, particle);
@@ -115,6 +115,7 @@ Chosen look_inside(Simulation& simulation, Index particle) {
     if (const auto kernel = s.model.kernel_around(particle))
       for (const auto& other : kernel->neighbours)
         if (other.wall) chosen.walls.push_back(r - other.separation);
+    if (with_kernel) chosen.kernel = kernel_plots(simulation, s, particle);
   });
   add_neighbours(chosen, simulation);
   chosen.forces = forces_on(simulation, laws, particle);

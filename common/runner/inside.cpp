@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "common/runner/ink.hpp"
-
 namespace clapotis {
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "common/particles/vec.hpp"
 #include "common/runner/canvas.hpp"
+#include "common/runner/plot.hpp"
 
 namespace clapotis {
 
@@ -39,6 +40,7 @@ struct Chosen {
   std::string force_unit = {};             ///< "N/m"
   std::string title = {};                  ///< of the table; empty: there is none
   std::vector<ParticleFact> facts = {};    ///< about the particle, then one for each of `forces`
+  std::vector<Plot> kernel = {};           ///< at work on it, if asked for; not part of the picture
 };
 
 /// The colour of a law's arrow: the same in all scenes, different from those of the laws before it. M. Okabe

@@ -148,22 +148,15 @@ Plot contact_plot(const Simulation& simulation, Model& model, Index i) {
 
 }  // namespace
 
-std::vector<Plot> kernel_plots(Simulation& simulation, Index particle) {
-  std::vector<Plot> plots;
-  if (!simulation.model().has_pairs()) return plots;
-  simulation.look([&](const System& s) {
-    const auto around = s.model.kernel_around(particle);
-    if (!around) {
-      plots.push_back(contact_plot(simulation, s.model, particle));
-      return;
-    }
-    const auto& fluid = *simulation.setup().fluid;
-    const auto unit = printed(with_length("kg/L^3", simulation.scene().length_unit));
-    const KernelAtWork kernel(*around, fluid);
-    plots = {kernel.weights(), kernel.sum(s.density(particle), fluid.state.reference_density, unit),
-             kernel.slopes()};
-  });
-  return plots;
+std::vector<Plot> kernel_plots(const Simulation& simulation, const System& system, Index particle) {
+  if (!system.model.has_pairs()) return {};
+  const auto around = system.model.kernel_around(particle);
+  if (!around) return {contact_plot(simulation, system.model, particle)};
+  const auto& fluid = *simulation.setup().fluid;
+  const auto unit = printed(with_length("kg/L^3", simulation.scene().length_unit));
+  const KernelAtWork kernel(*around, fluid);
+  return {kernel.weights(), kernel.sum(system.density(particle), fluid.state.reference_density, unit),
+          kernel.slopes()};
 }
 
 }  // namespace clapotis

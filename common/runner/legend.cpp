@@ -138,7 +138,7 @@ void paint_footer(Canvas& canvas, const Picture& picture, const PictureView& vie
   const double right = view.area.corner.x + view.area.extent.x - ink::margin * scale;
   double x = paint_ruler(canvas, picture, view, middle);
   const auto key = [&](Colour colour, const std::string& label) {
-    x += 34 * scale;
+    x += 24 * scale;
     const double radius = 9 * scale;
     canvas.discs(std::array{Disc{{x + radius, middle}, radius, colour, 0.6 * radius}});
     x += 2 * radius + 8 * scale;

@@ -39,24 +39,25 @@ double length_per_force(const Chosen& chosen, const PictureView& view) {
   return chosen.full_force > 0 ? longest_arrow * view.scale / chosen.full_force : 0;
 }
 
-/// Title, values, how long is how much, magnitudes: names in one column, values in another.
+/// Title and values, then how long is how much, and the magnitudes of the forces at the right end.
 class FactsTable {
  public:
   FactsTable(Canvas& canvas, const Chosen& chosen, const PictureView& view)
       : canvas_(canvas), chosen_(chosen), view_(view), scale_(view.scale) {
-    const bool has_key = !chosen.forces.empty();
     first_force_ = chosen.facts.size() - chosen.forces.size();
-    rows_ = static_cast<double>(1 + chosen.facts.size() + (has_key ? 1 : 0));
+    rows_ = static_cast<double>(1 + chosen.facts.size() + (chosen.forces.empty() ? 0 : 1));
     height_ = std::min(ink::numbers * scale_, (view.scene.extent.y - 3 * margin()) / (leading * rows_));
     full_force_ = tick_label(chosen.full_force, chosen.full_force) + " " + chosen.force_unit;
-    double values = has_key ? canvas.text_width(full_force_, height_) : 0;
-    names_ = has_key ? longest_arrow * scale_ : 0;
+    double widest = chosen.forces.empty() ? 0 : longest_arrow * scale_ + margin() + text_width(full_force_);
+    for (std::size_t k = 0; k < first_force_; ++k)
+      names_ = std::max(names_, text_width(chosen.facts[k].name));
     for (const auto& fact : chosen.facts) {
-      names_ = std::max(names_, indent(fact) + canvas.text_width(fact.name, height_));
-      values = std::max(values, canvas.text_width(fact.value, height_));
+      const double name = fact.colour ? indent() + text_width(fact.name) : names_;
+      widest = std::max(widest, name + margin() + text_width(fact.value));
     }
+    widest = std::max(widest, text_width(chosen.title));
     const double step = 2 * height_;  // a box that breathes with every digit is not calm
-    width_ = bar() + 2 * margin() + names_ + margin() + step * std::ceil(values / step);
+    width_ = bar() + 2 * margin() + step * std::ceil(widest / step);
   }
 
   void paint(Point particle) {
@@ -86,24 +87,29 @@ class FactsTable {
     if (!(chosen_.full_force > 0)) return;  // the row stays: the table stands still
     const Point from{at_.x, at_.y - 0.32 * height_};
     paint_arrow(canvas_, from, {longest_arrow * scale_, 0}, ink::faint_text, thin * scale_);
-    canvas_.text({value_at(), at_.y}, full_force_, height_, ink::faint_text);
+    canvas_.text({value_end(), at_.y}, full_force_, height_, ink::faint_text, Align::right);
   }
 
   void paint_fact(const ParticleFact& fact, bool is_sum) {
     next_row();
-    const double middle = at_.y - 0.32 * height_, end = at_.x + indent(fact) - 0.7 * height_;
-    if (fact.colour)
-      canvas_.segments(std::array{Point{at_.x, middle}, Point{end, middle}}, *fact.colour,
-                       (is_sum ? thick : thin + 2) * scale_);
-    canvas_.text({at_.x + indent(fact), at_.y}, fact.name, height_, ink::text);
-    canvas_.text({value_at(), at_.y}, fact.value, height_, ink::text);
+    if (!fact.colour) {
+      canvas_.text(at_, fact.name, height_, ink::text);
+      canvas_.text({at_.x + names_ + margin(), at_.y}, fact.value, height_, ink::text);
+      return;
+    }
+    const double middle = at_.y - 0.32 * height_, end = at_.x + indent() - 0.7 * height_;
+    canvas_.segments(std::array{Point{at_.x, middle}, Point{end, middle}}, *fact.colour,
+                     (is_sum ? thick : thin + 2) * scale_);
+    canvas_.text({at_.x + indent(), at_.y}, fact.name, height_, ink::text);
+    canvas_.text({value_end(), at_.y}, fact.value, height_, ink::text, Align::right);
   }
 
+  [[nodiscard]] double text_width(const std::string& text) const { return canvas_.text_width(text, height_); }
   [[nodiscard]] double margin() const { return 10 * scale_; }
   [[nodiscard]] double bar() const { return 5 * scale_; }
-  [[nodiscard]] double value_at() const { return at_.x + names_ + margin(); }
+  [[nodiscard]] double value_end() const { return at_.x + width_ - bar() - 2 * margin(); }
   /// Before the name of a force stands a piece of its arrow.
-  [[nodiscard]] double indent(const ParticleFact& fact) const { return fact.colour ? 2 * height_ : 0; }
+  [[nodiscard]] double indent() const { return 2 * height_; }
 
   static constexpr double leading = 1.35;
   Canvas& canvas_;

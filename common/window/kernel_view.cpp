@@ -12,7 +12,7 @@ void toggle_kernel(WindowState& state) {
   state.attempt([&] {
     if (!simulation.model().has_pairs()) throw BadInput(std::string(w.none));
     if (simulation.particles().size() == 0) throw BadInput(std::string(w.nobody));
-    sight.kernel = !sight.kernel;
+    sight.viewpoint.kernel = !sight.viewpoint.kernel;
     if (!sight.viewpoint.chosen) sight.select_middle(simulation);
   });
 }
@@ -21,7 +21,7 @@ void lay_out_kernel_tick(WindowState& state, Controls& controls) {
   const auto& simulation = state.session.simulation();
   if (!simulation.model().has_pairs()) return;
   const auto& w = words().window.kernel;
-  bool shown = state.sight.kernel;
+  bool shown = state.sight.viewpoint.kernel;
   const std::string label(simulation.setup().fluid ? w.label : w.contact_label);
   if (ImGui::Checkbox((label + "###kernel").c_str(), &shown)) toggle_kernel(state);
   controls.name_last("kernel");

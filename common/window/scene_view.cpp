@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "common/runner/describe_inside.hpp"
 #include "common/runner/ink.hpp"
 #include "common/runner/save_sheet.hpp"
 #include "common/runner/units.hpp"
@@ -27,15 +26,15 @@ void paint_box(Canvas& canvas, const Box& box) {
   canvas.rectangle(box, ink::paper);
 }
 
-/// The place of the chosen particle, if it still exists; the kernel goes on with another one where it left.
-std::optional<Index> keep_chosen(Sight& sight, const Simulation& simulation) {
+/// Who left is chosen no more; the kernel goes on with another one.
+void keep_chosen(Sight& sight, const Simulation& simulation) {
   auto& id = sight.viewpoint.chosen;
+  auto& kernel = sight.viewpoint.kernel;
   if (id && !simulation.particles().place_of(*id)) {
     id.reset();
-    if (sight.kernel) sight.select_middle(simulation);
+    if (kernel) sight.select_middle(simulation);
   }
-  if (!id) sight.kernel = false;
-  return id ? simulation.particles().place_of(*id) : std::nullopt;
+  if (!id) kernel = false;
 }
 
 /// That of the longest arrow.
@@ -59,7 +58,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   auto& sight = state.sight;
-  const auto chosen = keep_chosen(sight, simulation);
+  keep_chosen(sight, simulation);
   beside_.reset();
   if (auto* sides = session.sides()) {
     describe_sides(state, *sides);
@@ -82,7 +81,7 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   }
   const double scale = state.scale;
   const double plots_height =
-      sight.plots || sight.kernel ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
+      sight.plots || sight.viewpoint.kernel ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
   const Box above{area.corner, {area.extent.x, area.extent.y - plots_height}};
   const auto halves = split(above, picture_, picture_scale * scale);
   view_ = sight.view(picture_, beside_ ? halves.left : above, picture_scale * scale);
@@ -97,9 +96,9 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
   paint_brush(canvas, state);
   canvas.unclip();
   if (beside_) paint_right(canvas, state, halves);
-  plots_ = sight.kernel                 ? kernel_plots(simulation, *chosen)
-           : session.sides() != nullptr ? plots_of_sides(*session.sides(), area.extent.x / scale)
-                                        : plots(session.history(), simulation);
+  plots_ = picture_.chosen && sight.viewpoint.kernel ? picture_.chosen->kernel
+           : session.sides() != nullptr              ? plots_of_sides(*session.sides(), area.extent.x / scale)
+                                                     : plots(session.history(), simulation);
   if (plots_height < 60 * scale) return;
   const double width = area.extent.x / static_cast<double>(plots_.size());
   for (std::size_t k = 0; k < plots_.size(); ++k) {

@@ -28,7 +28,7 @@ void Sight::look_at_other_scene(const Simulation& simulation) {
   viewpoint.chosen.reset();
   tank.setZero();
   colour_range = arrow_range = force_range = {};
-  kernel = false;
+  viewpoint.kernel = false;
   show_whole_scene();
 }
 

@@ -20,7 +20,6 @@ struct Sight {
   Eigen::Vector2d moved{0, 0};  ///< of the middle, away from the scene's [L]
   Eigen::Vector2d tank{0, 0};   ///< how far a hand has moved the tank from its place [L]
   bool vectors = false, plots = true;
-  bool kernel = false;  ///< at work on the chosen particle, in place of the plots
 
   /// What was said of particles and places of the last scene does not hold in the next.
   void look_at_other_scene(const Simulation& simulation);

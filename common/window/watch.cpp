@@ -69,7 +69,7 @@ std::map<std::string, std::string> lines(const WindowState& state, Point window)
   now["colour"] = "colour by " + sight.viewpoint.colour_by;
   now["lock"] = on("range locked", sight.colour_range.locked);
   now["grid"] = on("grid", sight.viewpoint.grid);
-  now["kernel"] = on("kernel", sight.kernel);
+  now["kernel"] = on("kernel", sight.viewpoint.kernel);
   now["vectors"] = on("velocities", sight.vectors);
   now["plots"] = on("plots", sight.plots);
   now["recording"] = on("recording", state.recorder.recording());

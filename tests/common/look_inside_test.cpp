@@ -40,6 +40,10 @@ Index particle_at(const Simulation& simulation, double x, double y) {
   return found;
 }
 
+std::vector<Plot> kernel_of(Simulation& simulation, Index i) {
+  return look_inside(simulation, i, true).kernel;
+}
+
 Simulation still_water(const char* density = "continuity") {
   return Simulation(stage4::stage().scene("still_water"), typed({{"spacing", 0.05}, {"density", density}}));
 }
@@ -146,8 +150,8 @@ TEST_CASE("all arrows have one scale, and the longest force fits it", "[inside]"
 
 TEST_CASE("inside still water V W sums to 1 and V grad W to 0; at its surface much is missing", "[inside]") {
   auto water = still_water();
-  const auto bulk = kernel_plots(water, particle_at(water, 0.5, 0.5));
-  const auto surface = kernel_plots(water, particle_at(water, 0.5, 2));
+  const auto bulk = kernel_of(water, particle_at(water, 0.5, 0.5));
+  const auto surface = kernel_of(water, particle_at(water, 0.5, 2));
   REQUIRE(bulk.size() == 3);
   CHECK(end_of(bulk[1]) == Approx(1).epsilon(0.01));
   CHECK(end_of(surface[1]) > 0.5);
@@ -162,16 +166,16 @@ TEST_CASE("inside still water V W sums to 1 and V grad W to 0; at its surface mu
 TEST_CASE("beside a wall its particles stand in for the liquid that is missing", "[inside]") {
   auto water = still_water();
   const Index i = particle_at(water, 0.5, 0);
-  const auto plots = kernel_plots(water, i);
+  const auto plots = kernel_of(water, i);
   REQUIRE(plots[0].bars.size() == 2);
   CHECK(plots[0].bars[1].xs.size() == look_inside(water, i).walls.size());
   CHECK(end_of(plots[1]) == Approx(1).epsilon(0.01));
-  CHECK(kernel_plots(water, particle_at(water, 0.5, 0.5))[0].bars.size() == 1);
+  CHECK(kernel_of(water, particle_at(water, 0.5, 0.5))[0].bars.size() == 1);
 }
 
 TEST_CASE("bars end on the curve of the kernel as far as the liquid is not compressed", "[inside]") {
   auto water = still_water();
-  const auto plots = kernel_plots(water, particle_at(water, 0.5, 0.5));
+  const auto plots = kernel_of(water, particle_at(water, 0.5, 0.5));
   for (const auto& plot : {plots[0], plots[2]}) {
     const auto& curve = plot.curves.back();
     for (std::size_t k = 0; k < plot.bars[0].xs.size(); ++k) {
@@ -187,7 +191,7 @@ TEST_CASE("where the density is a sum, it is the one that the kernel shows", "[i
   auto water = still_water("summation");
   water.step();
   const Index i = particle_at(water, 0.5, 2);
-  const auto sum = kernel_plots(water, i)[1];
+  const auto sum = kernel_of(water, i)[1];
   const auto density = fmt::format("{:.1f}", water.particles().density(i));
   CHECK(sum.curves[2].label.find(density) != std::string::npos);
   CHECK(sum.curves[0].label.find(density) != std::string::npos);
@@ -198,13 +202,13 @@ TEST_CASE("two discs that are pressed together are a bar on the law of contact",
   const double h = pair.parameters().value("radius"), k = pair.parameters().value("stiffness");
   pair.system().position.row(1) = pair.system().position.row(0);
   pair.system().position(1, 0) += 1.5 * h;
-  const auto plots = kernel_plots(pair, 0);
+  const auto plots = kernel_of(pair, 0);
   REQUIRE(plots.size() == 1);
   REQUIRE(plots[0].bars[0].xs.size() == 1);
   CHECK(plots[0].bars[0].xs[0] == Approx(1.5 * h));
   CHECK(plots[0].bars[0].ys[0] == Approx(0.5 * h * k));
   Simulation drop(stage1::stage().scene("drop"));
-  CHECK(kernel_plots(drop, 0).empty());
+  CHECK(kernel_of(drop, 0).empty());
 }
 
 TEST_CASE("bars are painted between zero and their value, and named in the key", "[plots]") {
