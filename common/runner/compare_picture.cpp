@@ -85,6 +85,7 @@ Plot distance_plot(const std::vector<Difference>& distances, const Simulation& s
 
 /// "+2.4 %", "+2e-06" or "x5.9", whichever is shorter.
 std::string drift_text(double drift) {
+  if (drift == 0) return "0";
   if (drift >= 1) return "x" + two_digits(1 + drift);
   return std::abs(drift) >= 1e-3 ? fmt::format("{:+.2g} %", 100 * drift) : fmt::format("{:+.0e}", drift);
 }
