@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "common/laws/hand.hpp"
 #include "common/window/step_light.hpp"
 
@@ -65,7 +67,8 @@ void Watch::look(WindowState& state, Point window, Trace& trace) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   if (session.paused() || session.diverged()) {
-    now["past"] = fmt::format("past {} to {}", session.past().oldest().step, session.past().newest().step);
+    now["past"] = fmt::format("past {} to {}", session.past().oldest().step,
+                              std::max(session.past().newest().step, simulation.steps()));
     now["step"] = fmt::format("step {} t={} energy={:.17g}", simulation.steps(), simulation.time(),
                               simulation.energy().total());
   } else {
