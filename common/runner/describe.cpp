@@ -134,7 +134,9 @@ std::string error_note(const Simulation& simulation) {
                         ? fmt::format("{}: {}", called(reference->name), measure)
                         : measure;
   if (unit.empty() && error >= 1e-4) return fmt::format("{} = {:.2f} %", what, 100 * error);
-  return fmt::format("{} = {:.2e}{}", what, error, unit.empty() ? "" : " " + unit);
+  const bool plain = error >= 1e-3 && error < 1e3;
+  const auto number = plain ? fmt::format("{:.3g}", error) : fmt::format("{:.2e}", error);
+  return fmt::format("{} = {}{}", what, number, unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace

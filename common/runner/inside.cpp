@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "common/runner/ink.hpp"
+
 namespace clapotis {
 namespace {
 

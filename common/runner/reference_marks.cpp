@@ -115,12 +115,14 @@ void paint_lines(Canvas& canvas, const Ghosts& ghosts, const PictureView& view) 
 
 /// Staffs on the places, each a line of text taller than the one before it, with the labels on the side where
 /// the scene has room; the taller ones are those that no label crosses.
-void paint_labels(Canvas& canvas, const Ghosts& ghosts, const PictureView& view) {
+void paint_labels(Canvas& canvas, const Picture& picture, const PictureView& view) {
+  const Ghosts& ghosts = *picture.ghosts;
   const double scale = view.scale, height = ink::numbers * scale, gap = 6 * scale;
   std::vector<std::pair<Point, std::string>> marks;
   for (Eigen::Index i = 0; i < ghosts.x.size(); ++i) {
     const Point foot = view.to_pixel(ghosts.x[i], ghosts.y[i]);
-    if (is_number(foot) && view.shows(foot))
+    const bool inside = ghosts.x[i] >= picture.lower.x() && ghosts.x[i] <= picture.upper.x();
+    if (is_number(foot) && inside && view.shows(foot))
       marks.emplace_back(foot, ghosts.labels[static_cast<std::size_t>(i)]);
   }
   if (marks.empty()) return;
@@ -157,7 +159,7 @@ void paint_reference(Canvas& canvas, const Picture& picture, const PictureView& 
   if (const auto& ghosts = picture.ghosts) {
     paint_measured(canvas, *ghosts, view);
     if (ghosts->shape == Shape::particles) paint_rings(canvas, picture, view);
-    if (ghosts->shape == Shape::marks) paint_labels(canvas, *ghosts, view);
+    if (ghosts->shape == Shape::marks) paint_labels(canvas, picture, view);
     if (ghosts->shape == Shape::outline || ghosts->shape == Shape::lines) paint_lines(canvas, *ghosts, view);
   }
   paint_key(canvas, picture, view);

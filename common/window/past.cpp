@@ -14,55 +14,65 @@ long interventions(Past::Simulations simulations) {
 }  // namespace
 
 void Past::begin(Simulations present) {
+  for (auto& moment : moments_) reuse(moment);
   moments_.clear();
-  used_.clear();
   bytes_ = 0;
-  keep(present, 0);
+  keep(present);
+  // What is far too large for the states of this scene would be memory that nobody counts.
+  const auto size = moments_.back().states.front().bytes.size();
+  std::erase_if(used_, [&](const std::string& memory) { return memory.capacity() > 2 * size; });
 }
 
 bool Past::changed(Simulations present) const {
   return moments_.empty() || interventions(present) != interventions_;
 }
 
-void Past::keep(Simulations present, double work) {
+void Past::pass(Simulations present, double work) {
+  work_ += work;
+  if (work_ >= bounds_.apart) keep(present);
+}
+
+void Past::keep(Simulations present) {
   const Instant now{present.front()->steps(), present.front()->time()};
   while (!moments_.empty() && moments_.back().at.step > now.step) drop(moments_.end() - 1);
+  const bool stepped = moments_.empty() || moments_.back().at.step < now.step;
   const bool intervened = changed(present);
-  bool lost_way = intervened;  // from the moment before
-  if (!moments_.empty() && moments_.back().at.step == now.step) {
+  if (!stepped) {
     if (!intervened) return;
-    work = moments_.back().work;
+    work_ = moments_.back().work;
     drop(moments_.end() - 1);
-    lost_way = true;
   }
-  moments_.push_back({now, work, lost_way, copies(present)});
+  moments_.push_back({now, work_, intervened, copies(present)});
   for (const auto& state : moments_.back().states) bytes_ += state.bytes.size();
   interventions_ = interventions(present);
+  work_ = 0;
   make_room();
 }
 
 std::vector<Past::Moment::State> Past::copies(Simulations present) {
   std::vector<Moment::State> states;
-  for (auto* simulation : present) {
+  for (std::size_t k = 0; k < present.size(); ++k) {
     std::string memory;
     if (!used_.empty()) {
       memory = std::move(used_.back());
       used_.pop_back();
     }
+    if (!moments_.empty()) memory.reserve(moments_.back().states[k].bytes.size());
     auto state = StateBytes::over(std::move(memory));
-    simulation->pass_state(state);
-    states.push_back({simulation->integrator(), std::move(state).take()});
+    present[k]->pass_state(state);
+    states.push_back({present[k]->integrator(), std::move(state).take()});
   }
   return states;
 }
 
 void Past::drop(Moments::iterator moment) {
-  constexpr std::size_t spare = 4;
-  for (auto& state : moment->states) {
-    bytes_ -= state.bytes.size();
-    if (used_.size() < spare) used_.push_back(std::move(state.bytes));
-  }
+  for (const auto& state : moment->states) bytes_ -= state.bytes.size();
+  reuse(*moment);
   moments_.erase(moment);
+}
+
+void Past::reuse(Moment& moment) {
+  for (auto& state : moment.states) used_.push_back(std::move(state.bytes));
 }
 
 /// In the older half moments become rare, as far as the way between two of them remains short; then the
@@ -72,7 +82,7 @@ void Past::make_room() {
     const auto middle = moments_.begin() + static_cast<std::ptrdiff_t>(moments_.size() / 2);
     auto needless = moments_.begin() + 1;
     while (needless != middle &&
-           (needless->intervened || needless->work + (needless + 1)->work > bounds_.work))
+           (needless->intervened || needless->work + (needless + 1)->work > bounds_.most_apart))
       ++needless;
     if (needless == middle) needless = moments_.begin();
     (needless + 1)->work += needless->work;
@@ -101,6 +111,7 @@ void Past::restore(Simulations simulations, long step) {
     bytes = std::move(state).take();
   }
   interventions_ = interventions(simulations);
+  work_ = 0;
 }
 
 }  // namespace clapotis

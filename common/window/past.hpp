@@ -19,16 +19,18 @@ class Past {
   struct Bounds {
     std::size_t bytes = std::size_t{200} << 20;
     std::size_t moments = 4096;
-    double work = 0.05;  ///< of the steps between two moments, when those between are dropped [s]
+    double apart = 0.02;       ///< a moment is kept after so much work [s]
+    double most_apart = 0.05;  ///< ... and no more lies between two of the older half [s]
   };
   Past() = default;
   explicit Past(const Bounds& bounds) : bounds_(bounds) {}
 
   /// Forgets all, and begins with the present.
   void begin(Simulations present);
-  /// Keeps the present as the newest moment: what lay beyond it goes. Does nothing while nothing changes.
-  /// `work` went into the steps since the moment before [s].
-  void keep(Simulations present, double work);
+  /// New steps came to the present, with so much work [s]: keeps it when enough has gathered.
+  void pass(Simulations present, double work);
+  /// Keeps the present as the newest moment, unless it is that: what lay beyond it goes.
+  void keep(Simulations present);
   /// Whether somebody stepped in since the present was kept or restored.
   [[nodiscard]] bool changed(Simulations present) const;
 
@@ -62,13 +64,15 @@ class Past {
 
   [[nodiscard]] std::vector<Moment::State> copies(Simulations present);
   void drop(Moments::iterator moment);
+  void reuse(Moment& moment);
   void make_room();
 
   Bounds bounds_;
   Moments moments_;
   std::size_t bytes_ = 0;
+  double work_ = 0;  ///< since the newest moment [s]
   long interventions_ = 0;
-  std::vector<std::string> used_;  ///< memory of dropped states, for the next ones
+  std::vector<std::string> used_;  ///< memory of dropped states, for the next ones: fresh pages cost most
 };
 
 }  // namespace clapotis

@@ -166,7 +166,7 @@ void Session::step(int count) {
       return true;
     });
   const long known = past_.changed(shown()) ? 0 : past_.newest().step - simulation_->steps();
-  const auto again = std::min<long>(known, count);
+  const auto again = std::clamp<long>(known, 0, count);
   if (again > 0) return_to(simulation_->steps() + again);
   work_ = {};
   if (again == count) return;
@@ -180,25 +180,34 @@ void Session::step(int count) {
 /// Before a new step: what lies ahead is not what comes, and what somebody did since the last step is not to
 /// be lost.
 void Session::leave_known_time() {
-  if (past_.newest().step > simulation_->steps()) history_.cut();
-  if (past_.newest().step != simulation_->steps() || past_.changed(shown())) past_.keep(shown(), 0);
+  const bool known = past_.newest().step > simulation_->steps();
+  if (known) history_.cut();
+  if (known || past_.changed(shown())) past_.keep(shown());
 }
 
 void Session::note_work(double start) {
   work_.seconds = wall_seconds() - start;
   if (work_.steps == 0) return;
   history_.add(*simulation_);
-  past_.keep(shown(), work_.seconds);
+  past_.pass(shown(), work_.seconds);
+}
+
+/// Before a leap: the end of what is known is to be found again.
+void Session::keep_end() {
+  if (past_.changed(shown()) || simulation_->steps() > past_.newest().step) {
+    leave_known_time();
+    past_.keep(shown());
+  }
 }
 
 void Session::step_back(int count) {
   if (sides_) throw BadInput(std::string(words().window.past.two_sides));
-  if (past_.changed(shown())) leave_known_time();
+  keep_end();
   return_to(std::max(simulation_->steps() - count, past_.oldest().step));
 }
 
 void Session::go_to(double time) {
-  if (past_.changed(shown())) leave_known_time();
+  keep_end();
   paused_ = true;
   const auto& now = *simulation_;
   const auto moment = past_.before(time);

@@ -107,6 +107,7 @@ class Session {
   void act_on_sides(const Act& act);
   bool reached_end() const;
   void leave_known_time();
+  void keep_end();
   void return_to(long step);
   void note_work(double start);
   /// All simulations of the session: they share one past.

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <algorithm>
 
 #include "common/laws/hand.hpp"
 #include "common/runner/ink.hpp"
@@ -113,7 +114,8 @@ void Watch::look(WindowState& state, Point window, Trace& trace) {
   auto& session = state.session;
   auto& simulation = session.simulation();
   if (session.paused() || session.stopped()) {
-    now["past"] = fmt::format("past {} to {}", session.past().oldest().step, session.past().newest().step);
+    now["past"] = fmt::format("past {} to {}", session.past().oldest().step,
+                              std::max(session.past().newest().step, simulation.steps()));
     now["step"] = fmt::format("step {} t={} energy={:.17g}", simulation.steps(), simulation.time(),
                               simulation.energy().total());
   } else {
