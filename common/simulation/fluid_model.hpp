@@ -138,20 +138,15 @@ class FluidModel final : public Model {
   }
   [[nodiscard]] std::vector<ActingLaw> accelerations_by_law(const System& s, Index i) override {
     const Index slot = near_.fluid.slot_of(i);
-    const auto p = view_of<UniformMass>(s.particles);
-    const bool held = ends_.hold(near_.fluid.columns.position(slot));
     return laws_.one_by_one([&]<class L>() {
-      Vector a{0, 0};
-      if (held) return a;
-      a += laws_.template body<L>(p, i, s.time);
+      if (ends_.hold(near_.fluid.columns.position(slot))) return Vector{0, 0};
+      Vector a = laws_.template body<L>(view_of<UniformMass>(s.particles), i, s.time);
       if constexpr (FluidLaw<L>) a += 1 / fluid_.mass * by_neighbours<L>(slot).force;
       if constexpr (ActsImplicitly<L>) a += friction_sweep<L>(1, s.particles.threads).change_of(slot);
       return a;
     });
   }
-  [[nodiscard]] std::optional<KernelAround> kernel_around(Index i) override {
-    return near_.seen_from(near_.fluid.slot_of(i));
-  }
+  [[nodiscard]] std::optional<KernelAround> kernel_around(Index i) override { return near_.seen_from(i); }
   [[nodiscard]] PairCount count_pairs(const Particles& particles) override {
     arrange(particles);
     return near_.fluid.count_pairs();
@@ -369,7 +364,6 @@ class FluidModel final : public Model {
     });
     Vector total{sum(force.x), sum(force.y)};
     double lost = -0.5 * sum(power);  // each pair is met twice
-
     if constexpr ((StressesWalls<Some> || ...) || (RubsWalls<Some> || ...)) {
       Vec<Pack> push{Pack(0.0), Pack(0.0)};
       Pack squeeze(0.0);

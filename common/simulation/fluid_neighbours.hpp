@@ -50,13 +50,13 @@ struct FluidNeighbours {
     return sum(total);
   }
 
-  /// The kernel and all that it weighs, from the particle in `slot`.
-  [[nodiscard]] KernelAround seen_from(Index slot) const {
+  /// The kernel and all that it weighs, from a particle of the fluid.
+  [[nodiscard]] KernelAround seen_from(Index particle) const {
     KernelAround seen{.h = kernel.support() / 2,
                       .support = kernel.support(),
                       .value = [k = kernel](double r) { return k.value(r); },
                       .slope = [k = kernel](double r) { return r > 0 ? r * k.slope_over_r(r, 1 / r) : 0; }};
-    const Vector r = fluid.columns.position(slot);
+    const Vector r = fluid.columns.position(fluid.slot_of(particle));
     add_seen(seen, r, fluid.grid, fluid.columns, false);
     if (walls.size() > 0) add_seen(seen, r, walls.grid, walls.columns, true);
     return seen;
