@@ -113,8 +113,8 @@ void paint_lines(Canvas& canvas, const Ghosts& ghosts, const PictureView& view) 
   draw();
 }
 
-/// Staffs on the places, each a line of text taller than the one before it, with the labels on the side where
-/// the scene has room; the taller ones are those that no label crosses.
+/// Staffs on the places, each a line of text taller than the one before it, with the labels on the right
+/// where there is room; the taller ones are those that no label crosses.
 void paint_labels(Canvas& canvas, const Picture& picture, const PictureView& view) {
   const Ghosts& ghosts = *picture.ghosts;
   const double scale = view.scale, height = ink::numbers * scale, gap = 6 * scale;
@@ -127,7 +127,9 @@ void paint_labels(Canvas& canvas, const Picture& picture, const PictureView& vie
   }
   if (marks.empty()) return;
   std::ranges::sort(marks, {}, [](const auto& mark) { return mark.first.x; });
-  const bool to_the_left = marks.back().first.x > view.scene.corner.x + view.scene.extent.x / 2;
+  double longest = 0;
+  for (const auto& mark : marks) longest = std::max(longest, canvas.text_width(mark.second, height));
+  const bool to_the_left = marks.back().first.x + gap + longest > view.scene.corner.x + view.scene.extent.x;
   if (!to_the_left) std::ranges::reverse(marks);
   double staff = mark_height * scale;
   for (const auto& [foot, label] : marks) {
