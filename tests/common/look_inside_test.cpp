@@ -148,7 +148,7 @@ TEST_CASE("all arrows have one scale, and the longest force fits it", "[inside]"
   CHECK(length_of_weight() == Approx(length / 2));
 }
 
-TEST_CASE("inside still water V W sums to 1 and V grad W to 0; at its surface much is missing", "[inside]") {
+TEST_CASE("inside still water V W sums to 1 and V grad W to 0, at its surface much is missing", "[inside]") {
   auto water = still_water();
   const auto bulk = kernel_of(water, particle_at(water, 0.5, 0.5));
   const auto surface = kernel_of(water, particle_at(water, 0.5, 2));

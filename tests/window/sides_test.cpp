@@ -95,7 +95,7 @@ TEST_CASE("two sides in the window have the differences, errors and evaluations 
   }
 }
 
-TEST_CASE("the sides differ in one thing only; all else counts for both", "[window]") {
+TEST_CASE("the sides differ in one thing only, all else counts for both", "[window]") {
   const Stage stage = stage3::stage();
   Session session(stage, until_half("cloud", {{"particles", {"30"}}}));
   session.step(3);
@@ -132,7 +132,7 @@ TEST_CASE("the sides differ in one thing only; all else counts for both", "[wind
   CHECK(session.simulation().steps() == 2);  // the left one goes on
 }
 
-TEST_CASE("when one side diverges the other goes on, on the same clock; when both do, the run has stopped",
+TEST_CASE("when one side diverges the other goes on, on the same clock, when both do, the run has stopped",
           "[window]") {
   const Stage stage = stage3::stage();
   auto options = until_half("cloud", {{"particles", {"40"}}, {"dt", {"0.02"}}});

@@ -16,7 +16,7 @@ const std::string bouncing = STAGE1_PROGRAM, cloud = STAGE2_PROGRAM, grid = STAG
 }  // namespace
 
 TEST_CASE(
-    "B runs the scene twice on one clock, from the start; the mouse chooses what differs; B again ends it",
+    "B runs the scene twice on one clock, from the start, the mouse chooses what differs, B again ends it",
     "[window]") {
   Desk desk("two-sides");
   desk.start({bouncing, "drop", "--paused", "--set", "dt=0.004"});
