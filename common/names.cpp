@@ -23,7 +23,10 @@ constexpr std::array names_in_lists{
     Name{"force", "force"}, Name{"mass", "masse"}, Name{"across", "distance à l'axe"}, Name{"plain", "unie"},
     // what two sides may differ in
     Name{"neighbour_search", "neighbour search", "recherche des voisins"}, Name{"grid", "grille"},
-    Name{"list", "liste"},
+    Name{"list", "liste"}, Name{"integrator", "schéma"},
+    // the limits of the time step, in a list of them
+    Name{"acoustic", "acoustique"}, Name{"contact", "contact"}, Name{"drag", "traînée"},
+    Name{"viscous", "visqueuse"}, Name{"capillary", "capillaire"}, Name{"profile", "établissement"},
     // references
     Name{"closed form", "solution analytique"}, Name{"Koshizuka & Oka 1996", "Koshizuka et Oka 1996"},
     Name{"hydrostatic pressure", "pression hydrostatique"}, Name{"exact ellipse", "ellipse exacte"},

@@ -55,6 +55,7 @@ constexpr Words english{
     .range_between = "between {low} and {high}",
     .or_auto = ", or auto",
     .each_or_none = " each, with commas between, or none",
+    .none = "none",
     .diverged = "diverged at step {step}, t = {time} s, particle {particle}: {cause}",
     .diverged_speed =
         "its speed {speed} {unit} is beyond all that the scene's energy allows ({bound} {unit})",
@@ -408,7 +409,7 @@ constexpr Words english{
                 },
             .limits =
                 {
-                    .sets_dt = "{name} sets dt",
+                    .sets_dt = "by the {name} limit",
                     .given = "dt is given",
                     .adaptive = "the scheme divides dt as it needs to",
                     .hint = "dt = {dt} s is {share} % of {formula} = {limit} s.\n{kind}",

@@ -20,7 +20,7 @@ struct Words {
       threads_out_of_range, spacing_too_large, spacing_too_small, no_room_for_drop, obstacle_over_liquid,
       no_sound_speed, entry_twice, integrator_of_particles;
   // ranges of values
-  Word any_finite, range_above, range_at_least, range_at_most, range_between, or_auto, each_or_none;
+  Word any_finite, range_above, range_at_least, range_at_most, range_between, or_auto, each_or_none, none;
   // what a run says
   Word diverged, diverged_speed, diverged_nan, cause_limit, cause_scheme, beyond_limit, warn_coincident,
       warn_coincident_fluid, warn_folded;

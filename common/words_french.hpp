@@ -59,6 +59,7 @@ inline constexpr Words french{
     .range_between = "entre {low} et {high}",
     .or_auto = ", ou auto",
     .each_or_none = " pour chacun, séparés par des virgules, ou none",
+    .none = "aucun choix",
     .diverged = "divergence au pas {step}, t = {time} s, particule {particle} : {cause}",
     .diverged_speed =
         "sa vitesse {speed} {unit} dépasse tout ce que permet l'énergie de la scène ({bound} {unit})",
@@ -421,7 +422,7 @@ inline constexpr Words french{
                 },
             .limits =
                 {
-                    .sets_dt = "{name} fixe dt",
+                    .sets_dt = "par la limite {name}",
                     .given = "dt imposé",
                     .adaptive = "le schéma subdivise dt si nécessaire",
                     .hint = "dt = {dt} s, soit {share} % de {formula} = {limit} s.\n{kind}",

@@ -128,7 +128,9 @@ Picture describe_side(Side& side, const std::string& what, Colour mark, const Vi
 }
 
 Beside beside(const Side& left, const Side& right, Picture right_picture, double time) {
-  const auto name = [](const Side& side) { return side.stage_title + " - " + side.simulation->scene().name; };
+  const auto name = [](const Side& side) {
+    return std::string(called(side.stage_title)) + " - " + side.simulation->scene().name;
+  };
   auto title = name(left);
   if (name(right) != title) title += " | " + name(right);
   const auto of_both = [&](auto text) {

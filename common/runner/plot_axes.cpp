@@ -21,7 +21,7 @@ void include(AxisRange& range, double value) {
 constexpr double least_relative_height = 1e-3;
 
 AxisRange roomy(AxisRange y) {
-  if (!(y.lo <= y.hi)) return {0, 1};
+  if (!(y.lo <= y.hi) || (y.lo == 0 && y.hi == 0)) return {0, 1};
   const double least = least_relative_height * std::max(std::abs(y.lo), std::abs(y.hi));
   const double height = std::max({y.hi - y.lo, least, 1e-300});
   const double middle = (y.lo + y.hi) / 2;

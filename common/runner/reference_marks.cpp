@@ -52,6 +52,20 @@ void paint_sign(Canvas& canvas, KeyLine::Sign sign, Point middle, double room, d
                 ink::ghost, width * scale);
 }
 
+/// Beside the domain where there is room for it, or else in a corner of the domain: not over its walls.
+Point corner_for(Point extent, bool right, double margin, const Picture& picture, const PictureView& view) {
+  const Point low = view.to_pixel(picture.lower.x(), picture.upper.y());
+  const Point high = view.to_pixel(picture.upper.x(), picture.lower.y());
+  const double left_end = view.scene.corner.x, right_end = left_end + view.scene.extent.x;
+  const double needed = extent.x + 2 * margin;
+  const double y = std::max(view.scene.corner.y, low.y) + margin;
+  if (right) {
+    const double end = right_end - high.x > needed ? right_end : std::min(right_end, high.x);
+    return {end - margin - extent.x, y};
+  }
+  return {(low.x - left_end > needed ? left_end : std::max(left_end, low.x)) + margin, y};
+}
+
 /// In the upper corner of the scene where the chosen particle is, or the left one: the other one is for what
 /// is said of that particle.
 void paint_key(Canvas& canvas, const Picture& picture, const PictureView& view) {
@@ -68,8 +82,7 @@ void paint_key(Canvas& canvas, const Picture& picture, const PictureView& view) 
   const Point extent{widest + 2 * margin, static_cast<double>(lines.size()) * leading + margin};
   const bool right = picture.chosen && view.to_pixel(picture.x[picture.chosen->particle], 0).x >=
                                            view.scene.corner.x + view.scene.extent.x / 2;
-  const Point corner{view.scene.corner.x + (right ? view.scene.extent.x - extent.x - margin : margin),
-                     view.scene.corner.y + margin};
+  const Point corner = corner_for(extent, right, margin, picture, view);
   canvas.rectangle({corner, extent}, behind_words());
   double baseline = corner.y + leading;
   for (const auto& line : lines) {

@@ -224,7 +224,7 @@ void Parameters::refuse_unknown(std::string_view name) const {
 std::string unknown_name(std::string_view kind, std::string_view name,
                          const std::vector<std::string>& known) {
   return say(words().unknown_name, fmt::arg("kind", called(kind, Naming::kind)), fmt::arg("name", name),
-             fmt::arg("known", joined(known))) +
+             fmt::arg("known", known.empty() ? std::string(words().none) : joined(known))) +
          suggestion(name, known);
 }
 

@@ -169,7 +169,7 @@ void LessonTab::check(const LessonPlay& lesson, std::size_t number) {
                     say(w().expected, fmt::arg("value", expected(check)));
   const auto width = [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; };
   if (width(left) + width(text) + ImGui::GetStyle().ItemSpacing.x < whole) ImGui::SameLine();
-  coloured(text, !measured ? theme::faint : holds ? theme::accent : theme::warning);
+  coloured(text, !measured ? theme::faint : holds ? ink::plain_disc : theme::warning);
 }
 
 }  // namespace clapotis

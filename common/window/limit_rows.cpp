@@ -61,7 +61,7 @@ void mark_binding(float height) {
 /// left to the hint.
 void row(const StepLight& light, double dt, Controls& controls) {
   const float start = ImGui::GetCursorPosX(), whole = ImGui::GetContentRegionAvail().x;
-  const float height = ImGui::GetTextLineHeight(), bar = 0.155F * whole, gap = 0.3F * height;
+  const float height = ImGui::GetTextLineHeight(), bar = 0.18F * whole, gap = 0.3F * height;
   const float bar_start = start + whole - bar;
   const auto value = seconds(light.limit.limit) + " s";
   const float value_start = bar_start - gap - ImGui::CalcTextSize(value.c_str()).x;
@@ -97,7 +97,8 @@ StepSentence about_step(const Simulation& simulation) {
   if (light == Light::amber) return {std::string(w().close_to_instability), ink_of(light)};
   if (simulation.controls_error()) return {std::string(w().limits.adaptive), theme::ink};
   if (std::isfinite(simulation.parameters().value("dt"))) return {std::string(w().limits.given), theme::ink};
-  return {say(w().limits.sets_dt, fmt::arg("name", called(simulation.binding_limit().name))), theme::ink};
+  return {say(w().limits.sets_dt, fmt::arg("name", called(simulation.binding_limit().name, Naming::limit))),
+          theme::ink};
 }
 
 void lay_out_limits(const WindowState& state, Controls& controls) {
