@@ -24,9 +24,6 @@ constexpr std::array names_in_lists{
     // what two sides may differ in
     Name{"neighbour_search", "neighbour search", "recherche des voisins"}, Name{"grid", "grille"},
     Name{"list", "liste"}, Name{"integrator", "schéma"},
-    // the limits of the time step, in a list of them
-    Name{"acoustic", "acoustique"}, Name{"contact", "contact"}, Name{"drag", "traînée"},
-    Name{"viscous", "visqueuse"}, Name{"capillary", "capillaire"}, Name{"profile", "établissement"},
     // references
     Name{"closed form", "solution analytique"}, Name{"Koshizuka & Oka 1996", "Koshizuka et Oka 1996"},
     Name{"hydrostatic pressure", "pression hydrostatique"}, Name{"exact ellipse", "ellipse exacte"},
@@ -87,6 +84,11 @@ constexpr std::array names_of_limits{Name{"acoustic", "acoustique"},    Name{"co
                                      Name{"viscous", "visqueuse"},      Name{"capillary", "capillaire"},
                                      Name{"profile", "d'établissement"}};
 
+constexpr std::array names_of_limits_alone{Name{"acoustic", "acoustique"},  Name{"contact", "contact"},
+                                           Name{"drag", "traînée"},         Name{"force", "force"},
+                                           Name{"viscous", "visqueuse"},    Name{"capillary", "capillaire"},
+                                           Name{"profile", "établissement"}};
+
 constexpr std::array names_of_kinds{Name{"scene", "de scène"},
                                     Name{"preset", "de variante"},
                                     Name{"stage", "d'étape"},
@@ -108,6 +110,7 @@ std::string_view look_up(const Table& table, std::string_view name) {
 
 std::string_view called(std::string_view name, Naming where) {
   if (where == Naming::law) return look_up(names_of_laws, name);
+  if (where == Naming::limit_alone) return look_up(names_of_limits_alone, name);
   if (where == Naming::limit) return look_up(names_of_limits, name);
   return where == Naming::kind ? look_up(names_of_kinds, name) : look_up(names_in_lists, name);
 }

@@ -127,8 +127,8 @@ std::string say(std::string_view sentence, const Args&... args) {
 }
 
 /// Where a name of the code is said: where a person reads a list or a picture, before "limit" of the time
-/// step, or after "there is no".
-enum class Naming { list, law, limit, kind };
+/// step, in a list of limits, or after "there is no".
+enum class Naming { list, law, limit, limit_alone, kind };
 
 /// What a name of the code is called where a person reads it: "density_error" is "density error". The name
 /// itself when the table has no line for it.

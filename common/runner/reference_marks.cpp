@@ -59,11 +59,13 @@ Point corner_for(Point extent, bool right, double margin, const Picture& picture
   const double left_end = view.scene.corner.x, right_end = left_end + view.scene.extent.x;
   const double needed = extent.x + 2 * margin;
   const double y = std::max(view.scene.corner.y, low.y) + margin;
+  const double inside_left = std::max(left_end, low.x), inside_right = std::min(right_end, high.x);
   if (right) {
-    const double end = right_end - high.x > needed ? right_end : std::min(right_end, high.x);
-    return {end - margin - extent.x, y};
+    const bool inside = right_end - high.x < needed && (inside_right - inside_left) / 2 > needed;
+    return {(inside ? inside_right : right_end) - margin - extent.x, y};
   }
-  return {(low.x - left_end > needed ? left_end : std::max(left_end, low.x)) + margin, y};
+  const bool inside = low.x - left_end < needed && inside_right - inside_left > needed;
+  return {(inside ? inside_left : left_end) + margin, y};
 }
 
 /// In the upper corner of the scene where the chosen particle is, or the left one: the other one is for what

@@ -71,7 +71,7 @@ void row(const StepLight& light, double dt, Controls& controls) {
   {
     std::optional<theme::Bold> bold;
     if (light.binds) bold.emplace();
-    text(called(light.limit.name));
+    text(called(light.limit.name, Naming::limit_alone));
   }
   ImGui::SameLine(0, gap);
   if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(light.limit.formula.c_str()).x + gap < value_start)
