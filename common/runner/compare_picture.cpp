@@ -13,25 +13,6 @@ namespace {
 
 using Value = double (*)(const Sample&);
 
-Curve curve_of(const std::vector<Sample>& samples, std::string_view label, Colour colour, Value value) {
-  Curve curve;
-  curve.label = label;
-  curve.colour = colour;
-  for (const auto& sample : samples) {
-    curve.xs.push_back(sample.time);
-    curve.ys.push_back(value(sample));
-  }
-  return curve;
-}
-
-Plot over_time(std::string title, std::string y_label) {
-  Plot plot;
-  plot.title = std::move(title);
-  plot.x_label = "t [s]";
-  plot.y_label = std::move(y_label);
-  return plot;
-}
-
 /// What both sides have noted.
 struct Samples {
   std::vector<Sample> left, right;
@@ -39,13 +20,13 @@ struct Samples {
 
 Plot energy_plot(const Samples& samples, const Simulation& simulation) {
   const auto& w = words();
-  auto plot = over_time(std::string(w.plot_energies), "E [" + printed(short_energy_unit(simulation)) + "]");
+  auto plot = energies_over_time(simulation);
   const Value mechanical = [](const Sample& s) { return s.energy.mechanical(); };
   const Value total = [](const Sample& s) { return s.energy.total(); };
-  plot.curves = {curve_of(samples.left, w.compare_left, left_colour(), mechanical),
-                 curve_of(samples.right, w.compare_right, right_colour(), mechanical),
-                 curve_of(samples.left, w.total, left_colour(), total),
-                 curve_of(samples.right, "", right_colour(), total)};
+  plot.curves = {curve_over_time(samples.left, w.compare_left, left_colour(), mechanical),
+                 curve_over_time(samples.right, w.compare_right, right_colour(), mechanical),
+                 curve_over_time(samples.left, w.total, left_colour(), total),
+                 curve_over_time(samples.right, "", right_colour(), total)};
   plot.curves[2].dashed = plot.curves[3].dashed = true;
   return plot;
 }
@@ -54,19 +35,17 @@ Plot energy_plot(const Samples& samples, const Simulation& simulation) {
 std::optional<Plot> error_plot(const Samples& samples, const Simulation& left, const Simulation& right) {
   const auto& reference = left.setup().reference ? left.setup().reference : right.setup().reference;
   if (!reference) return std::nullopt;
-  auto plot = over_time(say(words().plot_error, fmt::arg("reference", called(reference->name))),
-                        reference->unit.empty() ? "" : fmt::format("[{}]", printed(reference->unit)));
+  auto plot = errors_over_time(*reference);
   const Value error = [](const Sample& s) { return s.error; };
-  plot.curves = {curve_of(samples.left, words().compare_left, left_colour(), error),
-                 curve_of(samples.right, words().compare_right, right_colour(), error)};
-  plot.log_y = true;
+  plot.curves = {curve_over_time(samples.left, words().compare_left, left_colour(), error),
+                 curve_over_time(samples.right, words().compare_right, right_colour(), error)};
   return plot;
 }
 
 Plot distance_plot(const std::vector<Difference>& distances, const Simulation& simulation) {
   const auto& w = words();
-  auto plot = over_time(std::string(w.compare_plot),
-                        std::string(w.compare_distance) + " [" + simulation.scene().length_unit + "]");
+  auto plot = plot_over_time(std::string(w.compare_plot),
+                             std::string(w.compare_distance) + " [" + simulation.scene().length_unit + "]");
   Curve largest, rms;
   largest.label = w.compare_curve_largest;
   largest.colour = ink::palette().curves[2];

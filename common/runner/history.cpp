@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/runner/units.hpp"
 #include "common/words.hpp"
@@ -9,48 +10,31 @@
 namespace clapotis {
 namespace {
 
-Curve curve(const std::vector<Sample>& samples, std::string_view label, std::size_t colour,
-            double (*value)(const Sample&)) {
-  Curve c;
-  c.label = label;
-  c.colour = ink::palette().curves[colour];
-  for (const auto& sample : samples) {
-    c.xs.push_back(sample.time);
-    c.ys.push_back(value(sample));
-  }
-  return c;
-}
-
 Plot energy_plot(const std::vector<Sample>& samples, const Simulation& simulation) {
   const auto& w = words();
   const bool is_fluid = simulation.setup().fluid.has_value();
   const bool has_weight = !is_fluid || simulation.parameters().find("gravity") != nullptr;
-  Plot plot;
-  plot.title = w.plot_energies;
-  plot.x_label = "t [s]";
-  plot.y_label = "E [" + printed(short_energy_unit(simulation)) + "]";
-  plot.curves.push_back(curve(samples, w.kinetic, 0, [](const Sample& s) { return s.energy.kinetic; }));
+  const auto curve = [&](std::string_view label, std::size_t colour, double (*value)(const Sample&)) {
+    return curve_over_time(samples, label, ink::palette().curves[colour], value);
+  };
+  auto plot = energies_over_time(simulation);
+  plot.curves.push_back(curve(w.kinetic, 0, [](const Sample& s) { return s.energy.kinetic; }));
   if (has_weight)
-    plot.curves.push_back(curve(samples, w.potential, 2, [](const Sample& s) { return s.energy.potential; }));
+    plot.curves.push_back(curve(w.potential, 2, [](const Sample& s) { return s.energy.potential; }));
   if (is_fluid)
-    plot.curves.push_back(curve(samples, w.internal, 3, [](const Sample& s) { return s.energy.internal; }));
+    plot.curves.push_back(curve(w.internal, 3, [](const Sample& s) { return s.energy.internal; }));
   else if (simulation.model().has_pairs())
-    plot.curves.push_back(curve(samples, w.elastic, 3, [](const Sample& s) { return s.energy.elastic; }));
-  plot.curves.push_back(
-      curve(samples, w.mechanical, 1, [](const Sample& s) { return s.energy.mechanical(); }));
-  plot.curves.push_back(curve(samples, w.total, 5, [](const Sample& s) { return s.energy.total(); }));
+    plot.curves.push_back(curve(w.elastic, 3, [](const Sample& s) { return s.energy.elastic; }));
+  plot.curves.push_back(curve(w.mechanical, 1, [](const Sample& s) { return s.energy.mechanical(); }));
+  plot.curves.push_back(curve(w.total, 5, [](const Sample& s) { return s.energy.total(); }));
   plot.curves.back().dashed = true;
   return plot;
 }
 
 Plot error_plot(const std::vector<Sample>& samples, const Reference& reference) {
-  Plot plot;
-  plot.title = say(words().plot_error, fmt::arg("reference", called(reference.name)));
-  plot.x_label = "t [s]";
-  if (!reference.unit.empty()) plot.y_label = fmt::format("[{}]", printed(reference.unit));
-  plot.curves.push_back(
-      curve(samples, called(reference.measure), 1, [](const Sample& s) { return s.error; }));
-  plot.log_y = true;
+  auto plot = errors_over_time(reference);
+  plot.curves.push_back(curve_over_time(samples, called(reference.measure), ink::palette().curves[1],
+                                        [](const Sample& s) { return s.error; }));
   return plot;
 }
 
@@ -75,6 +59,38 @@ std::vector<Sample> History::samples() const {
   std::vector<Sample> all(kept.begin(), later);
   if (!all.empty() && all.back().time < latest_.time) all.push_back(latest_);
   return all;
+}
+
+Curve curve_over_time(const std::vector<Sample>& samples, std::string_view label, Colour colour,
+                      double (*value)(const Sample&)) {
+  Curve curve;
+  curve.label = label;
+  curve.colour = colour;
+  for (const auto& sample : samples) {
+    curve.xs.push_back(sample.time);
+    curve.ys.push_back(value(sample));
+  }
+  return curve;
+}
+
+Plot plot_over_time(std::string title, std::string y_label) {
+  Plot plot;
+  plot.title = std::move(title);
+  plot.x_label = "t [s]";
+  plot.y_label = std::move(y_label);
+  return plot;
+}
+
+Plot energies_over_time(const Simulation& simulation) {
+  return plot_over_time(std::string(words().plot_energies),
+                        "E [" + printed(short_energy_unit(simulation)) + "]");
+}
+
+Plot errors_over_time(const Reference& reference) {
+  auto plot = plot_over_time(say(words().plot_error, fmt::arg("reference", called(reference.name))),
+                             reference.unit.empty() ? "" : fmt::format("[{}]", printed(reference.unit)));
+  plot.log_y = true;
+  return plot;
 }
 
 std::vector<Plot> plots(const History& history, const Simulation& simulation) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/runner/plot.hpp"
@@ -44,6 +46,14 @@ class History {
   Sample latest_;
   double largest_error_ = std::numeric_limits<double>::quiet_NaN(), largest_speed_ = 0;
 };
+
+// What plots over time are made of.
+[[nodiscard]] Curve curve_over_time(const std::vector<Sample>& samples, std::string_view label, Colour colour,
+                                    double (*value)(const Sample&));
+/// A plot without curves yet; of energies; of errors against a reference, on a logarithmic axis.
+[[nodiscard]] Plot plot_over_time(std::string title, std::string y_label);
+[[nodiscard]] Plot energies_over_time(const Simulation& simulation);
+[[nodiscard]] Plot errors_over_time(const Reference& reference);
 
 /// The energies over time, and beside them the error when the scene has a reference.
 std::vector<Plot> plots(const History& history, const Simulation& simulation);

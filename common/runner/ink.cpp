@@ -84,6 +84,13 @@ const Palette& palette() { return in_use == Theme::dark ? dark : light; }
 Theme theme() { return in_use; }
 void use(Theme theme) { in_use = theme; }
 
+void paper_box(Canvas& canvas, const Box& box, Colour rim, double width) {
+  canvas.rectangle(
+      {{box.corner.x - width, box.corner.y - width}, {box.extent.x + 2 * width, box.extent.y + 2 * width}},
+      rim);
+  canvas.rectangle(box, paper);
+}
+
 void fitted_text(Canvas& canvas, Point at, std::string_view utf8, double height, double room, Colour colour,
                  Align align) {
   if (utf8.empty() || room <= 0) return;

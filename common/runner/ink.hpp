@@ -55,6 +55,9 @@ inline Colour translucent(Colour c, float opacity) { return {c.red, c.green, c.b
 inline constexpr double title = 28, words = 20, numbers = 18;
 inline constexpr double margin = 20;
 
+/// Paper with a rim around it, on which something is said over a scene.
+void paper_box(Canvas& canvas, const Box& box, Colour rim = grid, double width = 1);
+
 /// Text no wider than `room` [pixel]: its height shrinks, to 60 % at the least, then its end is cut off.
 void fitted_text(Canvas& canvas, Point at, std::string_view utf8, double height, double room, Colour colour,
                  Align align = Align::left);

@@ -66,8 +66,7 @@ class FactsTable {
     const double from_left = on_the_left ? scene.extent.x - width_ - margin() : margin();
     const Point corner{scene.corner.x + from_left, scene.corner.y + margin()};
     const Box box{corner, {width_, rows_ * leading * height_ + margin()}};
-    canvas_.rectangle({{corner.x - 1, corner.y - 1}, {box.extent.x + 2, box.extent.y + 2}}, ink::grid);
-    canvas_.rectangle(box, ink::paper);
+    ink::paper_box(canvas_, box);
     canvas_.rectangle({corner, {bar(), box.extent.y}}, ink::chosen);
     at_ = {corner.x + bar() + margin(), corner.y};
     next_row();

@@ -41,12 +41,6 @@ void require_matching_sizes(const Picture& picture) {
          "a candidate of a picture's chosen particle does not exist");
 }
 
-Box domain(const Picture& picture, const PictureView& view) {
-  const Point upper_left = view.to_pixel(picture.lower.x(), picture.upper.y());
-  const Eigen::Array2d extent = (picture.upper - picture.lower) * view.pixels_per_unit;
-  return {upper_left, {extent.x(), extent.y()}};
-}
-
 bool is_seen(const Disc& disc, const Box& box) {  // false for NaN, too
   return disc.centre.x + disc.radius > box.corner.x && disc.centre.y + disc.radius > box.corner.y &&
          disc.centre.x - disc.radius < box.corner.x + box.extent.x &&
@@ -96,6 +90,12 @@ bool PictureView::shows(Point pixel) const {
 Eigen::Vector2d PictureView::to_world(Point pixel) const {
   return {centre.x() + (pixel.x - scene.corner.x - scene.extent.x / 2) / pixels_per_unit,
           centre.y() - (pixel.y - scene.corner.y - scene.extent.y / 2) / pixels_per_unit};
+}
+
+Box domain(const Picture& picture, const PictureView& view) {
+  const Point upper_left = view.to_pixel(picture.lower.x(), picture.upper.y());
+  const Eigen::Array2d extent = (picture.upper - picture.lower) * view.pixels_per_unit;
+  return {upper_left, {extent.x(), extent.y()}};
 }
 
 PictureView fit(const Picture& picture, const Box& area, double scale) {
@@ -196,8 +196,7 @@ void Painter::paint_alarm(Canvas& canvas, const Picture& picture, const PictureV
   const Point corner{view.scene.corner.x + (view.scene.extent.x - width) / 2,
                      view.scene.corner.y + ink::margin * scale};
   const double tall = leading * static_cast<double>(lines.size()) + 2 * pad;
-  canvas.rectangle({{corner.x - rim, corner.y - rim}, {width + 2 * rim, tall + 2 * rim}}, ink::warning);
-  canvas.rectangle({corner, {width, tall}}, ink::paper);
+  ink::paper_box(canvas, {corner, {width, tall}}, ink::warning, rim);
   double baseline = corner.y + pad + height;
   for (const auto& line : lines) {
     canvas.text({corner.x + pad, baseline}, line, height, ink::warning);

@@ -73,6 +73,9 @@ struct PictureView {
   [[nodiscard]] bool shows(Point pixel) const;  ///< whether it is one of the scene
 };
 
+/// Where the domain of the picture is [pixel].
+[[nodiscard]] Box domain(const Picture& picture, const PictureView& view);
+
 /// The view that shows the whole domain and its walls, as large as `area` allows.
 [[nodiscard]] PictureView fit(const Picture& picture, const Box& area, double scale = 1);
 

@@ -54,8 +54,8 @@ void paint_sign(Canvas& canvas, KeyLine::Sign sign, Point middle, double room, d
 
 /// Beside the domain where there is room for it, or else in a corner of the domain: not over its walls.
 Point corner_for(Point extent, bool right, double margin, const Picture& picture, const PictureView& view) {
-  const Point low = view.to_pixel(picture.lower.x(), picture.upper.y());
-  const Point high = view.to_pixel(picture.upper.x(), picture.lower.y());
+  const auto [low, size] = domain(picture, view);
+  const Point high{low.x + size.x, low.y + size.y};
   const double left_end = view.scene.corner.x, right_end = left_end + view.scene.extent.x;
   const double needed = extent.x + 2 * margin;
   const double y = std::max(view.scene.corner.y, low.y) + margin;

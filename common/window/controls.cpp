@@ -14,6 +14,12 @@ void Controls::name_last(const std::string& name) {
                     {static_cast<double>(size.x), static_cast<double>(size.y)}});
 }
 
+bool Controls::button(const std::string& name, std::string_view label, float width) {
+  const bool pressed = ImGui::Button((std::string(label) + "###" + name).c_str(), {width, 0});
+  name_last(name);
+  return pressed;
+}
+
 void Controls::name(const std::string& name, const Box& place) {
   if (!trace_.active()) return;
   const auto pixel = [](double value) { return static_cast<int>(std::lround(value)); };

@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "common/runner/canvas.hpp"
 #include "common/window/trace.hpp"
@@ -16,6 +17,8 @@ class Controls {
   /// Names the item that ImGui laid out last.
   void name_last(const std::string& name);
   void name(const std::string& name, const Box& place);
+  /// A button of that name, `width` pixels wide; 0: as wide as its label. Whether it was pressed now.
+  bool button(const std::string& name, std::string_view label, float width = 0);
 
  private:
   Trace& trace_;

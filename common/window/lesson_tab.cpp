@@ -17,7 +17,7 @@ float room() { return ImGui::GetContentRegionAvail().x; }
 
 void heading(std::string_view words) {
   theme::Bold bold;
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  text(words);
 }
 
 std::string in_digits(double value) { return fmt::format("{:.4g}", value); }
@@ -51,12 +51,6 @@ void coloured(const std::string& text, Colour colour) {
 }
 
 }  // namespace
-
-bool LessonTab::button(const std::string& name, std::string_view label, float width) {
-  const bool pressed = ImGui::Button((std::string(label) + "###" + name).c_str(), {width, 0});
-  controls_.name_last(name);
-  return pressed;
-}
 
 bool LessonTab::lay_out(WindowState& state) {
   if (state.lesson.empty()) return false;
@@ -92,7 +86,7 @@ bool LessonTab::lay_out(WindowState& state) {
     paragraph(printed(wording.explain), room());
   }
   ImGui::EndChild();
-  if (button("lesson:answer", lesson.answer_shown() ? w().hide_answer : w().show_answer, room())) {
+  if (controls_.button("lesson:answer", lesson.answer_shown() ? w().hide_answer : w().show_answer, room())) {
     lesson.toggle_answer();
     scroll_to_answer_ = lesson.answer_shown();
   }
@@ -102,7 +96,7 @@ bool LessonTab::lay_out(WindowState& state) {
 void LessonTab::pages(LessonPlay& lesson) {
   const float side = ImGui::GetFrameHeight(), end = ImGui::GetCursorPosX() + room();
   ImGui::BeginDisabled(lesson.place() == 0);
-  if (button("lesson:previous", "←", side)) lesson.turn(-1);
+  if (controls_.button("lesson:previous", "←", side)) lesson.turn(-1);
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
@@ -110,10 +104,10 @@ void LessonTab::pages(LessonPlay& lesson) {
       say(w().exercise, fmt::arg("number", lesson.place() + 1), fmt::arg("count", lesson.count()));
   const float middle = ImGui::GetCursorPosX();
   ImGui::SetCursorPosX(middle + (end - side - middle - ImGui::CalcTextSize(where.c_str()).x) / 2);
-  ImGui::TextUnformatted(where.c_str());
+  text(where);
   ImGui::SameLine(end - side);
   ImGui::BeginDisabled(lesson.place() + 1 == lesson.count());
-  if (button("lesson:next", "→", side)) lesson.turn(1);
+  if (controls_.button("lesson:next", "→", side)) lesson.turn(1);
   ImGui::EndDisabled();
 }
 
@@ -127,9 +121,9 @@ void LessonTab::run(WindowState& state, std::size_t number) {
     const auto label = fmt::format("▶ {}", number + 1), name = fmt::format("lesson:run{}", number + 1);
     if (lesson.progress(number) == LessonPlay::Progress::running) {
       theme::Main main;
-      pressed = button(name, label, width);
+      pressed = controls_.button(name, label, width);
     } else {
-      pressed = button(name, label, width);
+      pressed = controls_.button(name, label, width);
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();

@@ -20,7 +20,6 @@ class LessonTab {
   void pages(LessonPlay& lesson);
   void run(WindowState& state, std::size_t number);
   void check(const LessonPlay& lesson, std::size_t number);
-  bool button(const std::string& name, std::string_view label, float width);
 
   Controls& controls_;
   bool scroll_to_answer_ = false;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/runner/ticks.hpp"
+#include "common/window/paragraph.hpp"
 #include "common/window/step_light.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
@@ -26,8 +27,6 @@ Colour fill_of(Light light) {
   fill.opacity = 0.42F;
   return fill;
 }
-
-void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
 /// With digits that do not run where the limit follows the state.
 std::string seconds(double limit) {

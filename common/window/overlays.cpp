@@ -19,8 +19,6 @@ constexpr int plain_box = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMov
 
 const Words::Window& w() { return words().window; }
 
-void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
-
 /// A box whose point (share_x, share_y) lies at that share of the area.
 void begin_box(const char* name, const Box& area, float share_x, float share_y, int flags = 0) {
   const ImVec2 at{static_cast<float>(area.corner.x + static_cast<double>(share_x) * area.extent.x),
@@ -53,27 +51,22 @@ void lay_out_divergence(WindowState& state, const Box& area, Controls& controls)
   }
   paragraph(reason->what(), text_room(area, state.scale));
   ImGui::Spacing();
-  const auto pressed = [&](const std::string& label, const std::string& name) {
-    const bool now = ImGui::Button((label + "###" + name).c_str());
-    controls.name_last(name);
-    return now;
-  };
   const auto smaller =
       say(w().limits.smaller_step, fmt::arg("dt", fmt::format("{:.2g}", state.session.half_step())));
-  const bool reset = pressed(std::string(w().reset), "diverged:reset");
+  const bool reset = controls.button("diverged:reset", w().reset);
   ImGui::SameLine();
-  const bool back = pressed(std::string(w().limits.step_back), "diverged:back");
+  const bool back = controls.button("diverged:back", w().limits.step_back);
   ImGui::AlignTextToFramePadding();
   text(w().try_another);
   ImGui::SameLine();
-  const bool halve = pressed(smaller, "diverged:dt");
+  const bool halve = controls.button("diverged:dt", smaller);
   std::string other;
   for (const auto& name : integrator_names(state.session.simulation().setup().matter())) {
     if (name == state.session.simulation().integrator()) continue;
     if (ImGui::GetItemRectMax().x + ImGui::CalcTextSize(name.c_str()).x + 3 * ImGui::GetFrameHeight() <
         ImGui::GetWindowPos().x + text_room(area, state.scale))
       ImGui::SameLine();
-    if (pressed(name, "diverged:" + name)) other = name;
+    if (controls.button("diverged:" + name, name)) other = name;
   }
   end_box();
   if (reset) state.attempt([&] { state.session.reset(); });

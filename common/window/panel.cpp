@@ -7,6 +7,7 @@
 #include "common/window/combo.hpp"
 #include "common/window/kernel_view.hpp"
 #include "common/window/limit_rows.hpp"
+#include "common/window/paragraph.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
@@ -17,8 +18,6 @@ namespace {
 constexpr float label_width = 0.26F;  ///< of the panel, left of the lists
 
 const Words::Window& w() { return words().window; }
-
-void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
 /// One to the left, the other to the right.
 void fact(const std::string& left, const std::string& right) {
@@ -73,12 +72,6 @@ void Panel::lay_out(WindowState& state, const Box& area) {
   ImGui::End();
 }
 
-bool Panel::button(const std::string& name, std::string_view label, float width) {
-  const bool pressed = ImGui::Button((std::string(label) + "###" + name).c_str(), {width, 0});
-  controls_.name_last(name);
-  return pressed;
-}
-
 void Panel::transport(WindowState& state) {
   auto& session = state.session;
   const float gap = ImGui::GetStyle().ItemSpacing.x, width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
@@ -86,13 +79,13 @@ void Panel::transport(WindowState& state) {
   ImGui::BeginDisabled(stopped);
   {
     theme::Main main;
-    if (button("pause", runs ? w().pause : w().run, width)) session.toggle_pause();
+    if (controls_.button("pause", runs ? w().pause : w().run, width)) session.toggle_pause();
   }
   ImGui::SameLine();
-  if (button("step", w().step, width)) session.step(ImGui::GetIO().KeyShift ? 10 : 1);
+  if (controls_.button("step", w().step, width)) session.step(ImGui::GetIO().KeyShift ? 10 : 1);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (button("reset", w().reset, width)) state.attempt([&] { session.reset(); });
+  if (controls_.button("reset", w().reset, width)) state.attempt([&] { session.reset(); });
 
   speed(state);
 }
@@ -104,14 +97,14 @@ void Panel::speed(WindowState& state) {
   ImGui::AlignTextToFramePadding();
   text(w().speed);
   ImGui::SameLine(start + label_width * whole);
-  if (button("slower", "−", side)) session.change_speed(-1);
+  if (controls_.button("slower", "−", side)) session.change_speed(-1);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::Text("x%s", fmt::format("{:.4g}", session.speed()).c_str());
   ImGui::SameLine(start + label_width * whole + 4.6F * side);
-  if (button("faster", "+", side)) session.change_speed(1);
+  if (controls_.button("faster", "+", side)) session.change_speed(1);
   ImGui::SameLine(start + whole - side);
-  if (button("help", "?", side)) state.help = !state.help;
+  if (controls_.button("help", "?", side)) state.help = !state.help;
   const auto& rates = state.cost.rates();
   if (!rates.slower_than_asked || session.paused() || session.stopped()) return;
   ImGui::SameLine();
@@ -127,13 +120,7 @@ std::optional<std::size_t> Panel::list(WindowState& state, const std::string& na
   ImGui::AlignTextToFramePadding();
   text(label);
   ImGui::SameLine(start + label_width * whole);
-  return combo(state, name, names, present, share * whole);
-}
-
-std::optional<std::size_t> Panel::combo(WindowState& state, const std::string& name,
-                                        const std::vector<std::string>& names, const std::string& present,
-                                        float width) {
-  return clapotis::combo(state, controls_, name, names, present, width);
+  return combo(state, controls_, name, names, present, share * whole);
 }
 
 /// Beside the scene that it belongs to.
@@ -142,7 +129,7 @@ void Panel::preset(WindowState& state) {
   std::vector<std::string> names;
   for (const auto& preset : session.simulation().scene().presets) names.push_back(preset.name);
   const auto shown = session.preset().empty() ? std::string(w().preset) : session.preset();
-  if (const auto k = combo(state, "preset", names, shown, ImGui::GetContentRegionAvail().x))
+  if (const auto k = combo(state, controls_, "preset", names, shown, ImGui::GetContentRegionAvail().x))
     state.attempt([&] { session.choose_preset(names[*k]); });
 }
 
@@ -177,7 +164,7 @@ void Panel::parameters(WindowState& state) {
   }
   const std::string label(w().defaults);
   ImGui::SameLine(end - ImGui::CalcTextSize(label.c_str()).x - 2 * ImGui::GetStyle().FramePadding.x);
-  if (button("defaults", label, 0)) state.attempt([&] { state.session.restore_defaults(); });
+  if (controls_.button("defaults", label, 0)) state.attempt([&] { state.session.restore_defaults(); });
   ImGui::Separator();
   rows_.lay_out(state, controls_, ParameterRows::Group::live);
   const bool open = ImGui::CollapsingHeader((std::string(w().restart) + "###restart").c_str());
@@ -249,7 +236,8 @@ void Panel::mouse(WindowState& state) {
     if (k % in_a_line > 0) ImGui::SameLine();
     const bool chosen = state.tool == static_cast<Tool>(k);
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (button(std::string("tool:") + tool_names[k], labels[k], width)) state.tool = static_cast<Tool>(k);
+    if (controls_.button(std::string("tool:") + tool_names[k], labels[k], width))
+      state.tool = static_cast<Tool>(k);
     if (chosen) ImGui::PopStyleColor();
   }
 }
@@ -276,7 +264,7 @@ void Panel::record(WindowState& state) {
     if (k > 0) ImGui::SameLine();
     const bool nothing_saved = k + 1 == labels.size() && state.recorder.saved().empty();
     ImGui::BeginDisabled(nothing_saved);
-    if (button(names[k], labels[k], 0)) acts[k](state);
+    if (controls_.button(names[k], labels[k], 0)) acts[k](state);
     ImGui::EndDisabled();
   }
   ImGui::PopStyleVar();

@@ -35,10 +35,6 @@ class Panel {
   std::optional<std::size_t> list(WindowState& state, const std::string& name, std::string_view label,
                                   const std::vector<std::string>& names, const std::string& present,
                                   float share = 0.74F);
-  std::optional<std::size_t> combo(WindowState& state, const std::string& name,
-                                   const std::vector<std::string>& names, const std::string& present,
-                                   float width);
-  bool button(const std::string& name, std::string_view label, float width);
 
   Controls& controls_;
   ParameterRows rows_;

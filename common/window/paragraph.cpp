@@ -27,22 +27,24 @@ void one_paragraph(std::string_view sentence, float room) {
     if (line.empty()) end = fitting(sentence.substr(0, end), room);
     const auto longer = line + std::string(sentence.substr(0, end));
     if (!line.empty() && width(longer) > room) {
-      ImGui::TextUnformatted(line.c_str());
+      text(line);
       line.clear();
       while (sentence.starts_with(' ')) sentence.remove_prefix(1);
     } else {
       line = longer;
       sentence.remove_prefix(end);
       if (!sentence.starts_with(' ') && !sentence.empty()) {  // a word was cut
-        ImGui::TextUnformatted(line.c_str());
+        text(line);
         line.clear();
       }
     }
   }
-  ImGui::TextUnformatted(line.c_str());
+  text(line);
 }
 
 }  // namespace
+
+void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
 void paragraph(std::string_view text, float room) {
   for (;;) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "common/integrators/bogacki_shampine.hpp"
 #include "common/simulation/time_step.hpp"
@@ -143,21 +142,11 @@ void ParameterRows::slider(WindowState& state, const Parameter& parameter) {
 }
 
 void ParameterRows::type(WindowState& state, const Parameter& parameter) {
-  state.typing = parameter.name;
-  const auto text = parameter.text();
-  text_.fill('\0');
-  std::memcpy(text_.data(), text.data(), std::min(text.size(), text_.size() - 1));
-  focus_ = true;
+  text_.begin(state, parameter.name, parameter.text());
 }
 
 void ParameterRows::text_field(WindowState& state, const Parameter& parameter) {
-  const bool first = std::exchange(focus_, false);
-  if (first) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputText("##text", text_.data(), text_.size(),
-                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (entered) wanted_ = {parameter.name, text_.data()};
-  if (entered || (!first && ImGui::IsItemDeactivated())) state.typing.clear();
+  if (const auto entered = text_.lay_out(state, "##text")) wanted_ = {parameter.name, *entered};
 }
 
 /// Shows the value; a click turns it into a field.

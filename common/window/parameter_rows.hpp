@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
 #include "common/window/controls.hpp"
-#include "common/window/window_state.hpp"
+#include "common/window/typed_text.hpp"
 
 namespace clapotis {
 
@@ -43,9 +42,8 @@ class ParameterRows {
   void apply(WindowState& state);
   void tooltip(const Parameter& parameter) const;
 
-  std::array<char, 256> text_{};    ///< what is being typed
+  TypedText text_;
   double still_ = 0;                ///< for how long the mouse has been at rest [s]
-  bool focus_ = false;              ///< the text field has just appeared
   std::optional<Wanted> wanted_;    ///< what the user asked for in this frame
   std::optional<Dragged> dragged_;  ///< the value of a slider that acts when it is let go
 };

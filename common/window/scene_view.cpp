@@ -8,8 +8,6 @@
 
 #include "common/runner/ink.hpp"
 #include "common/runner/save_sheet.hpp"
-#include "common/runner/units.hpp"
-#include "common/window/theme.hpp"
 #include "common/words.hpp"
 
 namespace clapotis {
@@ -20,11 +18,6 @@ constexpr double longest_arrow = 36;    // [pixel], for the velocity at the end 
 constexpr Index arrow_heads = 2000;     // with more particles a head is a blot
 
 std::string number(double value) { return fmt::format("{:.4g}", value == 0 ? 0.0 : value); }
-
-void paint_box(Canvas& canvas, const Box& box) {
-  canvas.rectangle({{box.corner.x - 1, box.corner.y - 1}, {box.extent.x + 2, box.extent.y + 2}}, ink::grid);
-  canvas.rectangle(box, ink::paper);
-}
 
 /// Who left is chosen no more; the kernel goes on with another one.
 void keep_chosen(Sight& sight, const Simulation& simulation) {
@@ -55,50 +48,16 @@ std::vector<Plot> plots_of_sides(const SideBySide& sides, double width) {
 }  // namespace
 
 void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
-  auto& session = state.session;
-  auto& simulation = session.simulation();
   auto& sight = state.sight;
-  keep_chosen(sight, simulation);
-  beside_.reset();
-  if (auto* sides = session.sides()) {
-    describe_sides(state, *sides);
-  } else {
-    picture_ = describe(session.stage().title, simulation, sight.viewpoint);
-    picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
-                                    step_text(simulation), simulation.particles().size());
-  }
-  if (picture_.chosen) {
-    double most = picture_.chosen->full_force;
-    auto* other = beside_ && beside_->right.chosen ? &beside_->right.chosen->full_force : nullptr;
-    if (other != nullptr) most = std::max(most, *other);
-    picture_.chosen->full_force = sight.force_range.follow(0, most).second;
-    if (other != nullptr) *other = picture_.chosen->full_force;
-  }
-  if (picture_.value.size() > 0) {
-    auto& [label, unit, lo, hi, map] = picture_.colours;
-    std::tie(lo, hi) = sight.colour_range.follow(lo, hi);
-    if (beside_) beside_->right.colours = picture_.colours;
-  }
+  keep_chosen(sight, state.session.simulation());
+  describe_all(state);
+  share_ranges(sight);
   const double scale = state.scale;
   const double plots_height =
       sight.plots || sight.viewpoint.kernel ? std::clamp(0.30 * area.extent.y, 0.0, 300 * scale) : 0;
   const Box above{area.corner, {area.extent.x, area.extent.y - plots_height}};
-  const auto halves = split(above, picture_, picture_scale * scale);
-  view_ = sight.view(picture_, beside_ ? halves.left : above, picture_scale * scale);
-  painter_.paint(canvas, picture_, view_);
-  canvas.clip(view_.scene);
-  if (sight.vectors) {
-    const auto* sides = session.sides();
-    const double right = sides != nullptr ? arrow_speed(sides->right().simulation->particles()) : 0;
-    arrow_speed_ = sight.arrow_range.follow(0, std::max(arrow_speed(simulation.particles()), right)).second;
-    paint_velocities(canvas, state, simulation, view_);
-  }
-  paint_brush(canvas, state);
-  canvas.unclip();
-  if (beside_) paint_right(canvas, state, halves);
-  plots_ = picture_.chosen && sight.viewpoint.kernel ? picture_.chosen->kernel
-           : session.sides() != nullptr              ? plots_of_sides(*session.sides(), area.extent.x / scale)
-                                                     : plots(session.history(), simulation);
+  paint_scenes(canvas, state, above);
+  describe_curves(state, area.extent.x / scale);
   if (plots_height < 60 * scale) return;
   const double width = area.extent.x / static_cast<double>(plots_.size());
   for (std::size_t k = 0; k < plots_.size(); ++k) {
@@ -106,6 +65,60 @@ void SceneView::paint(Canvas& canvas, WindowState& state, const Box& area) {
                   {width, plots_height}};
     clapotis::paint(canvas, plots_[k], box, picture_scale * scale);
   }
+}
+
+void SceneView::describe_all(WindowState& state) {
+  auto& session = state.session;
+  beside_.reset();
+  if (auto* sides = session.sides()) return describe_sides(state, *sides);
+  auto& simulation = session.simulation();
+  picture_ = describe(session.stage().title, simulation, state.sight.viewpoint);
+  picture_.subtitle = fmt::format("t = {:.3f} s   dt = {} s   N = {}", simulation.time(),
+                                  step_text(simulation), simulation.particles().size());
+}
+
+/// Forces and colours have one range each, on both sides.
+void SceneView::share_ranges(Sight& sight) {
+  if (picture_.chosen) {
+    double& force = picture_.chosen->full_force;
+    double* other = beside_ && beside_->right.chosen ? &beside_->right.chosen->full_force : nullptr;
+    force = sight.force_range.follow(0, other != nullptr ? std::max(force, *other) : force).second;
+    if (other != nullptr) *other = force;
+  }
+  if (picture_.value.size() == 0) return;
+  auto& [label, unit, lo, hi, map] = picture_.colours;
+  std::tie(lo, hi) = sight.colour_range.follow(lo, hi);
+  if (beside_) beside_->right.colours = picture_.colours;
+}
+
+/// One, or two in halves, with what is painted over them.
+void SceneView::paint_scenes(Canvas& canvas, WindowState& state, const Box& area) {
+  auto& sight = state.sight;
+  const auto& simulation = state.session.simulation();
+  const auto halves = split(area, picture_, picture_scale * state.scale);
+  view_ = sight.view(picture_, beside_ ? halves.left : area, picture_scale * state.scale);
+  painter_.paint(canvas, picture_, view_);
+  canvas.clip(view_.scene);
+  if (sight.vectors) {
+    const auto* sides = state.session.sides();
+    const double right = sides != nullptr ? arrow_speed(sides->right().simulation->particles()) : 0;
+    arrow_speed_ = sight.arrow_range.follow(0, std::max(arrow_speed(simulation.particles()), right)).second;
+    paint_velocities(canvas, state, simulation, view_);
+  }
+  paint_brush(canvas, state);
+  canvas.unclip();
+  if (beside_) paint_right(canvas, state, halves);
+}
+
+/// What stands below the scene, `width` pixels wide at scale 1.
+void SceneView::describe_curves(const WindowState& state, double width) {
+  const auto& session = state.session;
+  if (picture_.chosen && state.sight.viewpoint.kernel)
+    plots_ = picture_.chosen->kernel;
+  else if (session.sides() != nullptr)
+    plots_ = plots_of_sides(*session.sides(), width);
+  else
+    plots_ = plots(session.history(), session.simulation());
 }
 
 /// Of the left side in one half, of the right side in the other; both have one range of colours, to which a
@@ -176,19 +189,13 @@ void SceneView::paint_arrow_key(Canvas& canvas, const WindowState& state, double
   const Point extent{length + canvas.text_width(label, height) + 3 * margin, 2 * height};
   const Point corner{view_.scene.corner.x + margin,
                      view_.scene.corner.y + view_.scene.extent.y - margin - extent.y};
-  paint_box(canvas, {corner, extent});
+  ink::paper_box(canvas, {corner, extent});
   const Point left{corner.x + margin, corner.y + extent.y / 2}, right{left.x + length, left.y};
   const double head = 6 * scale;
   canvas.segments(std::array{left, right, right, Point{right.x - head, right.y - head / 2}, right,
                              Point{right.x - head, right.y + head / 2}},
                   ink::text, 2 * scale);
   canvas.text({right.x + margin, right.y + 0.36 * height}, label, height, ink::text);
-}
-
-Box SceneView::domain() const {
-  const Point corner = view_.to_pixel(picture_.lower.x(), picture_.upper.y());
-  const Eigen::Array2d extent = (picture_.upper - picture_.lower) * view_.pixels_per_unit;
-  return {corner, {extent.x(), extent.y()}};
 }
 
 std::string SceneView::save(const Session& session) const {

@@ -19,7 +19,7 @@ class SceneView {
   [[nodiscard]] const std::optional<Beside>& beside() const { return beside_; }
   [[nodiscard]] const std::vector<Plot>& curves() const { return plots_; }
   /// The part of the window that shows the scene's own piece of the plane.
-  [[nodiscard]] Box domain() const;
+  [[nodiscard]] Box domain() const { return clapotis::domain(picture_, view_); }
   /// Where the world was painted last.
   [[nodiscard]] const PictureView& view() const { return view_; }
   /// Where the right side was.
@@ -30,6 +30,10 @@ class SceneView {
   }
 
  private:
+  void describe_all(WindowState& state);
+  void describe_curves(const WindowState& state, double width);
+  void share_ranges(Sight& sight);
+  void paint_scenes(Canvas& canvas, WindowState& state, const Box& area);
   void describe_sides(WindowState& state, SideBySide& sides);
   void paint_right(Canvas& canvas, WindowState& state, const SplitArea& area);
   void paint_velocities(Canvas& canvas, WindowState& state, const Simulation& simulation,

@@ -27,7 +27,8 @@ sf::Color of(Colour c) {
 
 sf::Vector2f of(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-/// SFML 2 paints two white pixels for any blank letter but the plain space: no-break and narrow spaces become one.
+/// SFML 2 paints two white pixels for any blank letter but the plain space: no-break and narrow spaces become
+/// one.
 sf::String of(std::string_view utf8) {
   auto string = sf::String::fromUtf8(utf8.begin(), utf8.end());
   for (const sf::Uint32 blank : {0xA0U, 0x2009U, 0x202FU}) string.replace(blank, U' ');

@@ -1,11 +1,7 @@
 #include "common/window/sides_section.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <string>
-#include <utility>
-
 #include "common/window/combo.hpp"
+#include "common/window/paragraph.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
 
@@ -19,10 +15,9 @@ constexpr const char* typed = "sides:value";  ///< what `typing` calls the right
 void SidesSection::lay_out(WindowState& state, Controls& controls) {
   const bool on = state.session.sides() != nullptr;
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-  const auto label = std::string(words().window.sides.button) + "###sides";
-  const bool toggled = ImGui::Button(label.c_str(), {ImGui::GetContentRegionAvail().x, 0});
+  const bool toggled =
+      controls.button("sides", words().window.sides.button, ImGui::GetContentRegionAvail().x);
   if (on) ImGui::PopStyleColor();
-  controls.name_last("sides");
   if (on) contrast(state, controls);
   if (toggled) state.toggle_sides();
 }
@@ -34,7 +29,7 @@ void SidesSection::contrast(WindowState& state, Controls& controls) {
   const auto names = contrasts(state.session.simulation());
   const auto chosen = combo(state, controls, "contrast", names, state.session.sides()->contrast().name, half);
   ImGui::SameLine(0, gap);
-  ImGui::TextUnformatted("=");
+  text("=");
   ImGui::SameLine(0, gap);
   other_value(state, controls, half);
   if (chosen) state.attempt([&] { state.session.differ_in(names[*chosen]); });
@@ -52,25 +47,14 @@ void SidesSection::other_value(WindowState& state, Controls& controls, float wid
 /// Shows the number; a click turns it into a field.
 void SidesSection::type(WindowState& state, Controls& controls, float width) {
   const auto value = state.session.sides()->contrast().value;
-  if (state.typing != typed) {
-    if (ImGui::Button((value + "###other").c_str(), {width, 0})) {
-      state.typing = typed;
-      text_.fill('\0');
-      std::memcpy(text_.data(), value.data(), std::min(value.size(), text_.size() - 1));
-      focus_ = true;
-    }
+  if (state.typing == typed) {
+    ImGui::SetNextItemWidth(width);
+    const auto entered = text_.lay_out(state, "##other_text");
     controls.name_last("other");
-    return;
+    if (entered) state.attempt([&] { state.session.choose_other(*entered); });
+  } else if (controls.button("other", value, width)) {
+    text_.begin(state, typed, value);
   }
-  const bool first = std::exchange(focus_, false);
-  if (first) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(width);
-  const bool entered =
-      ImGui::InputText("##other_text", text_.data(), text_.size(),
-                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  controls.name_last("other");
-  if (entered || (!first && ImGui::IsItemDeactivated())) state.typing.clear();
-  if (entered) state.attempt([&] { state.session.choose_other(text_.data()); });
 }
 
 }  // namespace clapotis

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
-
 #include "common/window/controls.hpp"
-#include "common/window/window_state.hpp"
+#include "common/window/typed_text.hpp"
 
 namespace clapotis {
 
@@ -18,8 +16,7 @@ class SidesSection {
   void other_value(WindowState& state, Controls& controls, float width);
   void type(WindowState& state, Controls& controls, float width);
 
-  std::array<char, 64> text_{};  ///< what is being typed
-  bool focus_ = false;           ///< the text field has just appeared
+  TypedText text_;
 };
 
 }  // namespace clapotis

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/window/paragraph.hpp"
 #include "common/window/theme.hpp"
 #include "common/words.hpp"
 #include "imgui.h"
@@ -12,8 +13,6 @@ namespace {
 constexpr double height = 36;  // [pixel] at scale 1
 
 std::string seconds(double time) { return fmt::format("{:.3f} s", time); }
-
-void text(const std::string& words) { ImGui::TextUnformatted(words.c_str()); }
 
 }  // namespace
 

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <algorithm>
+#include <array>
 
 #include "common/laws/hand.hpp"
 #include "common/runner/ink.hpp"

@@ -147,7 +147,8 @@ class Window {
       state_.notice = {beyond_limit(light, session.simulation().dt()), true, 10};
     if (session.diverged() && !session.sides()) state_.notice = {};  // it says all that, and more
     const bool had_stopped = std::exchange(stopped_, session.diverged().has_value());
-    if (stopped_ && !had_stopped && !session.sides()) state_.sight.viewpoint.chosen = session.diverged()->particle;
+    if (stopped_ && !had_stopped && !session.sides())
+      state_.sight.viewpoint.chosen = session.diverged()->particle;
   }
 
   /// Takes over the scale and the theme, where the user has chosen others.

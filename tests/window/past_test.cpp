@@ -14,26 +14,17 @@
 #include "stage4_sph/scenes.hpp"
 #include "stage5_extensions/scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/window/played.hpp"
 
 using namespace clapotis;
+using clapotis::testing::frame, clapotis::testing::options_of, clapotis::testing::plenty;
 
 namespace {
-
-constexpr double plenty = 1e9;      // s of work allowed: never the reason to stop
-constexpr double frame = 1 / 60.0;  // s
 
 std::string state_of(Session& session) {
   StateBytes state;
   session.simulation().pass_state(state);
   return session.simulation().integrator() + state.bytes();
-}
-
-Options of(const std::string& scene, const Overrides& parameters = {}, const std::string& integrator = {}) {
-  Options options;
-  options.scene.value = scene;
-  options.parameters = parameters;
-  if (!integrator.empty()) options.integrator.value = integrator;
-  return options;
 }
 
 /// What each step of a run came to, as it was seen the first time.
@@ -105,7 +96,7 @@ TEST_CASE(
   };
   for (const auto& [stage, scene, integrator, parameters] : cases) {
     CAPTURE(stage.name, scene, integrator);
-    Session session(stage, of(scene, parameters, integrator));
+    Session session(stage, options_of(scene, parameters, integrator));
     Diary diary;
     note(diary, session);
     live(diary, session, 12);
@@ -117,7 +108,7 @@ TEST_CASE(
 TEST_CASE("the past holds across changes of parameters and of the scheme, and takes them back",
           "[window][past]") {
   const Stage stage = stage4::stage();
-  Session session(stage, of("dam_break", {{"spacing", {"0.1"}}}));
+  Session session(stage, options_of("dam_break", {{"spacing", {"0.1"}}}));
   Diary diary;
   note(diary, session);
   live(diary, session, 9);
@@ -148,10 +139,10 @@ TEST_CASE("the past holds across changes of parameters and of the scheme, and ta
 TEST_CASE("what hands did in the sandbox is undone on the way back and done again on the way on",
           "[window][past]") {
   const Stage stage = stage5::stage();
-  Session session(
-      stage,
-      of("sandbox",
-         {{"spacing", {"0.04"}}, {"tank_width", {"1.2"}}, {"tank_height", {"1"}}, {"depth", {"0.32"}}}));
+  Session session(stage, options_of("sandbox", {{"spacing", {"0.04"}},
+                                                {"tank_width", {"1.2"}},
+                                                {"tank_height", {"1"}},
+                                                {"depth", {"0.32"}}}));
   Diary diary;
   note(diary, session);
   live(diary, session, 5);
@@ -177,7 +168,7 @@ TEST_CASE("what hands did in the sandbox is undone on the way back and done agai
 
 TEST_CASE("particles that left come back, under their names", "[window][past]") {
   const Stage stage = stage5::stage();
-  Session session(stage, of("channel", {{"spacing", {"1e-3"}}}));
+  Session session(stage, options_of("channel", {{"spacing", {"1e-3"}}}));
   Diary diary;
   while (session.simulation().system().left == 0) session.step(10);
   session.step_back(3);
@@ -190,7 +181,7 @@ TEST_CASE("particles that left come back, under their names", "[window][past]") 
 TEST_CASE("running on from the past comes to the same bits, and what lay ahead is forgotten",
           "[window][past]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud", {{"particles", {"60"}}}));
+  Session session(stage, options_of("cloud", {{"particles", {"60"}}}));
   Diary diary;
   run(diary, session, 20);
   const long end = session.simulation().steps();
@@ -216,7 +207,7 @@ TEST_CASE("running on from the past comes to the same bits, and what lay ahead i
 
 TEST_CASE("a change by hand after the last step is not lost on the way back", "[window][past]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("drop"));
+  Session session(stage, options_of("drop"));
   session.step(10);
   session.set("gravity", "1");
   session.step_back(2);
@@ -227,13 +218,13 @@ TEST_CASE("a change by hand after the last step is not lost on the way back", "[
 
 TEST_CASE("a dragged time line shows the last step that is not later", "[window][past]") {
   const Stage stage = stage4::stage();
-  Session session(stage, of("dam_break", {{"spacing", {"0.1"}}}));  // each step has its own dt
+  Session session(stage, options_of("dam_break", {{"spacing", {"0.1"}}}));  // each step has its own dt
   std::vector<double> times{0};
   for (int k = 0; k < 40; ++k) {
     session.step(1);
     times.push_back(session.simulation().time());
   }
-  Session frames(stage, of("dam_break", {{"spacing", {"0.1"}}}));
+  Session frames(stage, options_of("dam_break", {{"spacing", {"0.1"}}}));
   while (frames.simulation().steps() < 40) frames.advance(frame, plenty);  // the past has gaps
   for (const std::size_t k : {33U, 7U, 12U, 39U, 1U, 0U}) {
     frames.go_to(times[k] + 1e-9);
@@ -248,7 +239,7 @@ TEST_CASE("a dragged time line shows the last step that is not later", "[window]
 
 TEST_CASE("a step back lifts the freeze of a run that diverged, and it diverges again", "[window][past]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud", {{"dt", {"0.01"}}}, "explicit_euler"));
+  Session session(stage, options_of("cloud", {{"dt", {"0.01"}}}, "explicit_euler"));
   Diary diary;
   note(diary, session);
   while (!session.diverged()) {
@@ -271,7 +262,7 @@ TEST_CASE("a step back lifts the freeze of a run that diverged, and it diverges 
 
 TEST_CASE("half the step after a divergence starts the scene with it", "[window][past]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud", {{"dt", {"0.01"}}}, "explicit_euler"));
+  Session session(stage, options_of("cloud", {{"dt", {"0.01"}}}, "explicit_euler"));
   while (!session.diverged()) session.step(1);
   session.halve_step();
   CHECK_FALSE(session.diverged());
@@ -282,7 +273,7 @@ TEST_CASE("half the step after a divergence starts the scene with it", "[window]
 
 TEST_CASE("a scene that starts anew has no past", "[window][past]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("drop"));
+  Session session(stage, options_of("drop"));
   session.step(10);
   session.reset();
   CHECK(session.past().newest().step == 0);
@@ -296,7 +287,7 @@ TEST_CASE("a scene that starts anew has no past", "[window][past]") {
 TEST_CASE("the plots end at the moment that is shown, and have the rest again on the way on",
           "[window][past]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("drop"));
+  Session session(stage, options_of("drop"));
   for (int k = 0; k < 60; ++k) session.advance(frame, plenty);
   const auto whole = session.history().samples();
   session.go_to(0.5);

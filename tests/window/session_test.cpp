@@ -10,26 +10,14 @@
 #include "stage1_bouncing/scenes.hpp"
 #include "stage3_grid/scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/window/played.hpp"
 
 using namespace clapotis;
-
-namespace {
-
-constexpr double plenty = 1e9;      // s of work allowed: never the reason to stop
-constexpr double frame = 1 / 60.0;  // s
-
-Options of(const std::string& scene, const Overrides& parameters = {}) {
-  Options options;
-  options.scene.value = scene;
-  options.parameters = parameters;
-  return options;
-}
-
-}  // namespace
+using clapotis::testing::frame, clapotis::testing::options_of, clapotis::testing::plenty;
 
 TEST_CASE("a second of frames simulates a second, at twice the speed two", "[window]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("drop"));
+  Session session(stage, options_of("drop"));
   for (int k = 0; k < 60; ++k) session.advance(frame, plenty);
   // What is owed is paid in whole steps: less than one stays open.
   CHECK(session.simulation().time() == Approx(1).margin(session.simulation().dt()));
@@ -40,7 +28,7 @@ TEST_CASE("a second of frames simulates a second, at twice the speed two", "[win
 
 TEST_CASE("a step longer than a frame comes due after several frames", "[window]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("bounce", {{"dt", {"0.05"}}}));
+  Session session(stage, options_of("bounce", {{"dt", {"0.05"}}}));
   session.advance(0.03, plenty);
   CHECK(session.simulation().steps() == 0);
   session.advance(0.03, plenty);
@@ -49,14 +37,14 @@ TEST_CASE("a step longer than a frame comes due after several frames", "[window]
 
 TEST_CASE("after a stall nothing is caught up", "[window]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("drop"));
+  Session session(stage, options_of("drop"));
   session.advance(3600, plenty);
   CHECK(session.simulation().time() <= Pacer::longest_frame);
 }
 
 TEST_CASE("a frame whose budget is spent still takes one step, and owes nothing afterwards", "[window]") {
   const Stage stage = stage1::stage();
-  Session session(stage, of("drop"));
+  Session session(stage, options_of("drop"));
   session.advance(frame, 0);
   CHECK(session.simulation().steps() == 1);
   CHECK_FALSE(session.work().within_budget);
@@ -66,7 +54,7 @@ TEST_CASE("a frame whose budget is spent still takes one step, and owes nothing 
 
 TEST_CASE("how many frames it took makes no difference to the state", "[window]") {
   const Stage stage = stage3::stage();
-  Session fine(stage, of("cloud")), coarse(stage, of("cloud"));
+  Session fine(stage, options_of("cloud")), coarse(stage, options_of("cloud"));
   while (fine.simulation().steps() < 100) fine.advance(0.001, plenty);
   while (coarse.simulation().steps() < 100) coarse.advance(0.001, 0);
   const auto& a = fine.simulation().particles();
@@ -80,7 +68,7 @@ TEST_CASE(
     "a live parameter acts at once, one of the start begins the scene again, a wrong one changes nothing",
     "[window]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud"));
+  Session session(stage, options_of("cloud"));
   session.step(3);
   session.set("gravity", "100");
   CHECK(session.simulation().steps() == 3);
@@ -102,7 +90,7 @@ TEST_CASE(
 
 TEST_CASE("a scene starts with what the command line gave, where it has such a parameter", "[window]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud", {{"particles", {"20"}}, {"stiffness", {"1000"}}}));
+  Session session(stage, options_of("cloud", {{"particles", {"20"}}, {"stiffness", {"1000"}}}));
   session.set("stiffness", "2000");
   session.choose_scene(1);  // pair: it has no number of particles
   CHECK(session.simulation().scene().name == "pair");
@@ -113,7 +101,7 @@ TEST_CASE("a scene starts with what the command line gave, where it has such a p
 
 TEST_CASE("a run that diverges stays where it was last good until it is started again", "[window]") {
   const Stage stage = stage3::stage();
-  Session session(stage, of("cloud", {{"dt", {"0.01"}}}));
+  Session session(stage, options_of("cloud", {{"dt", {"0.01"}}}));
   session.choose_integrator("explicit_euler");
   for (int k = 0; k < 100000 && !session.diverged(); ++k) session.advance(frame, plenty);
   REQUIRE(session.diverged());
@@ -130,7 +118,7 @@ TEST_CASE("a run that diverges stays where it was last good until it is started 
 
 TEST_CASE("the run pauses where the command line said, but not where nobody said it", "[window]") {
   const Stage stage = stage1::stage();
-  auto options = of("drop");
+  auto options = options_of("drop");
   options.until = {0.1, Origin::law};
   Session endless(stage, options);
   for (int k = 0; k < 60; ++k) endless.advance(frame, plenty);
@@ -155,7 +143,7 @@ TEST_CASE("a session begins with the state of --resume, and a reset goes back to
   const Stage stage = stage3::stage();
   Simulation run(stage.scene("cloud"), {{"particles", {"30"}}}, "rk2");
   for (int k = 0; k < 7; ++k) run.step();
-  auto options = of("cloud", {{"gravity", {"3"}}});
+  auto options = options_of("cloud", {{"gravity", {"3"}}});
   options.integrator.value = "rk2";
   options.resume = std::make_shared<SavedState>(copy_state(stage, run));
   Session session(stage, options);

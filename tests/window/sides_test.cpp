@@ -9,18 +9,15 @@
 #include "stage3_grid/scenes.hpp"
 #include "stage4_sph/scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/window/played.hpp"
 
 using namespace clapotis;
+using clapotis::testing::frame, clapotis::testing::options_of, clapotis::testing::plenty;
 
 namespace {
 
-constexpr double unlimited = 1e9;     // s of work allowed: never the reason to stop
-constexpr double a_frame = 1 / 60.0;  // s
-
 Options until_half(const std::string& scene, const Overrides& parameters = {}) {
-  Options options;
-  options.scene.value = scene;
-  options.parameters = parameters;
+  auto options = options_of(scene, parameters);
   options.until = {0.5, Origin::flag};
   return options;
 }
@@ -66,7 +63,7 @@ TEST_CASE("two sides in the window have the differences, errors and evaluations 
     session.choose_other(contrast.value);
     // frames of no regular length, of which some have no time for more than a step
     for (int k = 0; k < 100000 && !session.paused(); ++k)
-      session.advance(0.003 * (1 + k % 7), k % 3 == 0 ? 0 : unlimited);
+      session.advance(0.003 * (1 + k % 7), k % 3 == 0 ? 0 : plenty);
     REQUIRE(session.paused());
     Side left = side_of(stage.scene(options.scene.value), options.parameters, "velocity_verlet");
     Comparison headless(left, right, 0.5, session.sides()->comparison().interval());
@@ -141,7 +138,7 @@ TEST_CASE("when one side diverges the other goes on, on the same clock, when bot
   session.toggle_side_by_side();
   session.differ_in("dt");
   session.choose_other("0.001");
-  for (int k = 0; k < 2000 && !session.paused(); ++k) session.advance(a_frame, unlimited);
+  for (int k = 0; k < 2000 && !session.paused(); ++k) session.advance(frame, plenty);
   REQUIRE(session.diverged());
   CHECK_FALSE(session.sides()->left().runs());
   CHECK(session.sides()->right().runs());
@@ -150,7 +147,7 @@ TEST_CASE("when one side diverges the other goes on, on the same clock, when bot
   CHECK_FALSE(session.sides()->comparison().difference());
   session.choose_other("0.02");
   session.toggle_pause();
-  for (int k = 0; k < 2000 && !session.stopped(); ++k) session.advance(a_frame, unlimited);
+  for (int k = 0; k < 2000 && !session.stopped(); ++k) session.advance(frame, plenty);
   CHECK(session.stopped());
 }
 
