@@ -92,6 +92,7 @@ constexpr std::array names_of_limits_alone{Name{"acoustic", "acoustique"},  Name
 constexpr std::array names_of_kinds{Name{"scene", "de scène"},
                                     Name{"preset", "de variante"},
                                     Name{"stage", "d'étape"},
+                                    Name{"study", "d'étude"},
                                     Name{"integrator", "de schéma"},
                                     Name{"quantity", "de grandeur"},
                                     Name{"list", "de liste"},

@@ -143,7 +143,7 @@ constexpr Words english{
     .standard_output = "standard output",
     .no_greek_letters = "DejaVuSans.ttf not found, Greek letters will be missing (install fonts-dejavu-core)",
     .no_letters = "no text in the picture without DejaVuSans.ttf (install fonts-dejavu-core)",
-    .progress = "{percent} %, t = {time} s, {left} left",
+    .progress = "{percent} %, {what}, {left} left",
     .summary_run =
         "{folder}: {reason} at t = {time} s\n"
         "  steps     {steps} of {dt} s with {integrator}, N = {particles}\n",
@@ -432,6 +432,24 @@ constexpr Words english{
             .expected = "expected {value}",
             .show_answer = "Show the answer",
             .hide_answer = "Hide the answer",
+        },
+
+    .study =
+        {
+            .help = "Measures what a method costs and how wrong it is, over a range of settings: a table, a "
+                    "summary, and the numbers of the report. A study that was stopped goes on where it was.",
+            .help_name = "one or more studies, or all; without a name, this list",
+            .help_quick =
+                "fewer, coarser and shorter runs, for a first look; kept apart in runs/studies-quick",
+            .help_out = "the folder of the tables; runs/studies otherwise",
+            .help_force = "measure anew what is there already",
+            .list = "Studies:{studies}",
+            .done = "{study}: {rows} rows in {file}, {diverged} of them diverged\n",
+            .interrupted = "{study} was interrupted; the same command goes on where it stopped",
+            .other_table =
+                "{file} has \"{has}\" where this study would write \"{wanted}\": it was made by another "
+                "program or machine. --force measures anew, --out DIR keeps both",
+            .damaged_table = "{file} is damaged at \"{line}\"; --force measures anew",
         },
 };
 

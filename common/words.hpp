@@ -113,6 +113,13 @@ struct Words {
     constexpr bool operator==(const Lesson&) const = default;
   } lesson;
 
+  // the studies
+  struct Study {
+    Word help, help_name, help_quick, help_out, help_force, list, done, interrupted, other_table,
+        damaged_table;
+    constexpr bool operator==(const Study&) const = default;
+  } study;
+
   /// What the compiler uses to compare two languages word by word, see Word.
   constexpr bool operator==(const Words&) const = default;
 };

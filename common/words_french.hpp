@@ -152,7 +152,7 @@ inline constexpr Words french{
     .no_greek_letters =
         "DejaVuSans.ttf introuvable, les lettres grecques manqueront (installez fonts-dejavu-core)",
     .no_letters = "pas de texte dans l'image sans DejaVuSans.ttf (installez fonts-dejavu-core)",
-    .progress = "{percent} %, t = {time} s, encore {left}",
+    .progress = "{percent} %, {what}, encore {left}",
     .summary_run =
         "{folder} : {reason} à t = {time} s\n"
         "  pas       {steps} de {dt} s avec {integrator}, N = {particles}\n",
@@ -445,6 +445,26 @@ inline constexpr Words french{
             .expected = "attendu {value}",
             .show_answer = "Montrer la réponse",
             .hide_answer = "Cacher la réponse",
+        },
+
+    .study =
+        {
+            .help = "Mesure ce que coûte une méthode et de combien elle se trompe, pour une gamme de "
+                    "réglages : une "
+                    "table, un résumé et les nombres du rapport. Une étude arrêtée reprend où elle en était.",
+            .help_name = "une ou plusieurs études, ou all pour toutes ; sans nom, cette liste",
+            .help_quick = "moins de calculs, plus grossiers et plus courts, pour un premier regard ; rangés "
+                          "à part dans "
+                          "runs/studies-quick",
+            .help_out = "le dossier des tables ; sinon runs/studies",
+            .help_force = "mesure à nouveau ce qui existe déjà",
+            .list = "Études :{studies}",
+            .done = "{study} : {rows} lignes dans {file}, dont {diverged} divergées\n",
+            .interrupted = "{study} a été interrompue ; la même commande reprend où elle s'est arrêtée",
+            .other_table =
+                "{file} contient « {has} » là où cette étude écrirait « {wanted} » : un autre programme ou "
+                "une autre machine l'a faite. --force mesure à nouveau, --out DOSSIER garde les deux",
+            .damaged_table = "{file} est endommagé à « {line} » ; --force mesure à nouveau",
         },
 };
 

@@ -40,7 +40,9 @@ std::string duration(double seconds) {
 Progress::Progress(bool wanted)
     : wanted_(wanted && can_move_cursor()), coloured_(!has_variable("NO_COLOR")), start_(wall_seconds()) {}
 
-void Progress::show(double share, double time) {
+void Progress::show(double share, double time) { show(share, fmt::format("t = {:.3g} s", time)); }
+
+void Progress::show(double share, std::string_view what) {
   const double now = wall_seconds();
   if (!wanted_ || now - start_ < before_first || now - last_ < pause) return;
   last_ = now;
@@ -49,7 +51,7 @@ void Progress::show(double share, double time) {
   const auto done = static_cast<std::size_t>(share * cells);
   const auto left = share > 0 ? duration((now - start_) * (1 - share) / share) : "?";
   const auto text = say(words().progress, fmt::arg("percent", static_cast<int>(100 * share)),
-                        fmt::arg("time", fmt::format("{:.3g}", time)), fmt::arg("left", left));
+                        fmt::arg("what", what), fmt::arg("left", left));
   const std::string full(done, '#'), rest(cells - done, '.');
   fmt::print(stderr, "\r[{}{}{}{}] {}\033[K", coloured_ ? "\033[32m" : "", full, coloured_ ? "\033[0m" : "",
              rest, text);

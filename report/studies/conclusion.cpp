@@ -1,0 +1,86 @@
+#include "report/studies/conclusion.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace clapotis::studies {
+namespace {
+
+std::size_t letters(std::string_view text) {  // UTF-8: bytes that begin one
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.append(width - std::min(width, letters(text)), ' ');
+  return text;
+}
+
+std::string text_of(const TextTable& table) {
+  std::vector<Row> lines{table.header};
+  lines.insert(lines.end(), table.rows.begin(), table.rows.end());
+  std::vector<std::size_t> widths(table.header.size());
+  for (const auto& line : lines)
+    for (std::size_t k = 0; k < line.size(); ++k) widths.at(k) = std::max(widths.at(k), letters(line[k]));
+  auto text = "\n  " + table.name + '\n';
+  for (const auto& line : lines) {
+    std::string row;
+    for (std::size_t k = 0; k < line.size(); ++k) row += "  " + padded(line[k], widths[k]);
+    text += "  " + row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+/// 4.5e-06 becomes a power of ten; what TeX would take for itself is marked.
+std::string latex(const std::string& text) {
+  const auto e = text.find('e');
+  char* end = nullptr;
+  static_cast<void>(std::strtod(text.c_str(), &end));
+  if (!text.empty() && *end == '\0') {
+    if (e == std::string::npos) return '$' + text + '$';
+    return fmt::format("${}\\cdot 10^{{{}}}$", text.substr(0, e), std::atoi(text.c_str() + e + 1));
+  }
+  std::string safe;
+  for (const char c : text) {
+    if (std::string_view("_%&#$^").find(c) != std::string_view::npos) safe += '\\';
+    safe += c;
+    if (c == '^') safe += "{}";
+  }
+  return safe;
+}
+
+std::string row_of(const Row& cells) {
+  std::string line;
+  for (const auto& each : cells) line += (line.empty() ? "" : " & ") + (each.empty() ? "{}" : latex(each));
+  return line + " \\\\\n";
+}
+
+}  // namespace
+
+std::string text_of(const Conclusion& conclusion) {
+  std::size_t width = 0;
+  for (const auto& finding : conclusion.findings) width = std::max(width, letters(finding.meaning));
+  std::string text;
+  for (const auto& finding : conclusion.findings)
+    text += fmt::format("  {}  {}{}{}\n", padded(finding.meaning, width), finding.value,
+                        finding.unit.empty() ? "" : " ", finding.unit);
+  for (const auto& table : conclusion.tables) text += text_of(table);
+  return text;
+}
+
+std::string latex_of(const std::string& study, const Conclusion& conclusion) {
+  std::string text;
+  for (const auto& finding : conclusion.findings)
+    text += fmt::format("\\setval{{{}/{}}}{{{}{}{}}}\n", study, finding.name, latex(finding.value),
+                        finding.unit.empty() ? "" : "~", latex(finding.unit));
+  for (const auto& table : conclusion.tables) {
+    std::string rows;
+    for (const auto& row : table.rows) rows += row_of(row);
+    text += fmt::format("\\setrows{{{}/{}}}{{%\n{}}}\n", study, table.name, rows);
+  }
+  return text;
+}
+
+}  // namespace clapotis::studies

@@ -1,0 +1,12 @@
+#include <array>
+
+#include "report/studies/run_studies.hpp"
+#include "report/studies/studies.hpp"
+
+int main(int argc, char** argv) {
+  using namespace clapotis::studies;
+  const std::array studies{
+      orders(),
+  };
+  return run_studies(studies, argc, argv);
+}

@@ -1,0 +1,136 @@
+#include "report/studies/table.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/runner/atomic_file.hpp"
+#include "common/simulation/errors.hpp"
+#include "common/words.hpp"
+
+namespace clapotis::studies {
+namespace {
+
+std::string joined(const Row& cells) {
+  std::string line;
+  for (const auto& each : cells) line += (line.empty() ? "" : ",") + each;
+  return line + '\n';
+}
+
+Row cells_of(const std::string& line) {
+  Row cells;
+  std::istringstream stream(line);
+  for (std::string each; std::getline(stream, each, ',');) cells.push_back(each);
+  if (line.ends_with(',')) cells.emplace_back();
+  return cells;
+}
+
+}  // namespace
+
+std::string cell(double value) { return std::isfinite(value) ? to_text(value) : "nan"; }
+
+std::string rounded(double value, int digits) {
+  if (!std::isfinite(value)) return "-";
+  const auto text = fmt::format("{:#.{}g}", value, digits);  // # keeps the zeros: 1.50
+  return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+}
+
+Table::Table(std::vector<Column> keys, std::vector<Column> values) : columns_(std::move(keys)) {
+  columns_.insert(columns_.end(), std::make_move_iterator(values.begin()),
+                  std::make_move_iterator(values.end()));
+  columns_.push_back({"outcome", ""});
+}
+
+void Table::add(Row row) {
+  if (row.size() != columns_.size()) throw std::logic_error("a row has other columns than its study");
+  for (const auto& each : row)
+    if (each.find_first_of(",\n\"") != std::string::npos) throw std::logic_error("a cell of a CSV: " + each);
+  rows_.push_back(std::move(row));
+}
+
+bool Table::has(const Row& key) const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [&](const Row& row) { return std::equal(key.begin(), key.end(), row.begin()); });
+}
+
+std::size_t Table::place(std::string_view column) const {
+  const auto found =
+      std::find_if(columns_.begin(), columns_.end(), [&](const Column& each) { return each.name == column; });
+  if (found == columns_.end()) throw std::logic_error("no column " + std::string(column));
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+const std::string& Table::text(const Row& row, std::string_view column) const {
+  return row.at(place(column));
+}
+
+double Table::number(const Row& row, std::string_view column) const {
+  const auto& text = this->text(row, column);
+  return text == "nan" ? std::nan("") : parse_number(column, text, "a number");
+}
+
+std::vector<Row> Table::where(Cells cells) const {
+  std::vector<Row> found;
+  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(found), [&](const Row& row) {
+    return std::all_of(cells.begin(), cells.end(),
+                       [&](const auto& wanted) { return text(row, wanted.first) == wanted.second; });
+  });
+  return found;
+}
+
+std::vector<double> Table::numbers(const std::vector<Row>& rows, std::string_view column) const {
+  std::vector<double> all;
+  for (const auto& row : rows) all.push_back(number(row, column));
+  return all;
+}
+
+std::vector<std::string> Table::kinds(std::string_view column) const {
+  std::vector<std::string> all;
+  for (const auto& row : rows_)
+    if (std::find(all.begin(), all.end(), text(row, column)) == all.end()) all.push_back(text(row, column));
+  return all;
+}
+
+std::string Table::head(const std::string& about) const {
+  std::string text;
+  std::istringstream lines(about);
+  for (std::string line; std::getline(lines, line);) text += "# " + line + '\n';
+  text += "# units:";
+  Row names;
+  for (const auto& column : columns_) {
+    if (!column.unit.empty()) text += ' ' + column.name + " [" + column.unit + ']';
+    names.push_back(column.name);
+  }
+  return text + '\n' + joined(names);
+}
+
+std::string Table::csv(const std::string& about) const {
+  auto text = head(about);
+  for (const auto& row : rows_) text += joined(row);
+  return text;
+}
+
+void Table::read(const std::filesystem::path& file, const std::string& about) {
+  std::ifstream stream(file);
+  if (!stream) refuse_file(words().cannot_read, file, errno);
+  std::istringstream expected(head(about));
+  std::string line, wanted;
+  while (std::getline(expected, wanted)) {
+    std::getline(stream, line);
+    if (line != wanted)
+      throw BadInput(say(words().study.other_table, fmt::arg("file", file.string()), fmt::arg("has", line),
+                         fmt::arg("wanted", wanted)));
+  }
+  while (std::getline(stream, line)) {
+    auto cells = cells_of(line);
+    if (cells.size() != columns_.size())
+      throw BadInput(
+          say(words().study.damaged_table, fmt::arg("file", file.string()), fmt::arg("line", line)));
+    rows_.push_back(std::move(cells));
+  }
+}
+
+}  // namespace clapotis::studies
