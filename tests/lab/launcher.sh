@@ -68,7 +68,7 @@ figure=${2##*figure=\'}
 : > "${figure%\'}"
 GNUPLOT
 # shellcheck disable=SC2016
-stand_in pdflatex <<< ': > "${*: -2:1}/report.pdf"'
+stand_in pdflatex <<< 'echo pdfTeX; : > "${*: -2:1}/report.pdf"'
 stand_in cmake <<'CMAKE'
 if [[ $1 == --preset ]]; then
   mkdir -p build/release/bin && : > build/release/build.ninja
