@@ -1,0 +1,35 @@
+# What a step costs, and whom it tests, against the number of discs: ./lab study list_or_grid
+width = 16; height = 8
+load "report/figures/style.gp"
+eval(logarithmic_x); eval(logarithmic_y)
+set xlabel "discs n" offset 0, 0.4
+set xrange [7:2e6]
+eval(panels(2, 1))
+unset key
+series(name, value) = only("search", name, value)
+
+# Grey: n and n^2, through the last point of either curve.
+stats csv using (series("grid", column("particles"))):(column("seconds") / column("particles")) nooutput
+linear = STATS_pos_max_x > 0 ? STATS_max_y : 1
+last_n = 1; last_seconds = 1; last_list_n = 1; last_list_seconds = 1
+note(name, n, seconds) = name eq "grid" ? (last_n = n, last_seconds = seconds, 0) : \
+  (last_list_n = n, last_list_seconds = seconds, 0)
+stats csv using (note(strcol("search"), column("particles"), column("seconds"))) nooutput
+
+set ylabel "processor time of a step [s]" offset 1, 0
+set label 1 "n^2" at last_list_n * 1.6, last_list_seconds textcolor rgb grey
+set label 2 "n" at last_n * 0.55, last_seconds * 0.18 textcolor rgb grey
+plot [x = 300:last_list_n * 1.4] last_list_seconds * (x / last_list_n)**2 with lines linecolor rgb "#B0B0B0" linewidth 1, \
+  [x = 300:last_n * 1.4] last_seconds * (x / last_n) with lines linecolor rgb "#B0B0B0" linewidth 1, \
+  csv using "particles":(series("list", column("seconds"))) with linespoints linetype 1, \
+  csv using "particles":(series("grid", column("seconds"))) with linespoints linetype 2
+unset label
+set ylabel "others tested for each disc"
+plot csv using "particles":(series("list", column("pairs_tested"))) with linespoints linetype 1, \
+  csv using "particles":(series("grid", column("pairs_tested"))) with linespoints linetype 2, \
+  csv using "particles":(series("grid", column("neighbours"))) with linespoints linetype 7
+eval(shared_key)
+plot NaN notitle, keyentry with linespoints linetype 1 title "list: all pairs", \
+  keyentry with linespoints linetype 2 title "grid of cells", \
+  keyentry with linespoints linetype 7 title "others that touch it"
+unset multiplot
