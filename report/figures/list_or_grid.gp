@@ -2,7 +2,7 @@
 width = 16; height = 8
 load "report/figures/style.gp"
 eval(logarithmic_x); eval(logarithmic_y)
-set xlabel "discs n" offset 0, 0.4
+set xlabel "discs n" offset 0, 0.6
 set xrange [7:2e6]
 eval(panels(2, 1))
 unset key
@@ -27,9 +27,6 @@ unset label
 set ylabel "others tested for each disc"
 plot csv using "particles":(series("list", column("pairs_tested"))) with linespoints linetype 1, \
   csv using "particles":(series("grid", column("pairs_tested"))) with linespoints linetype 2, \
-  csv using "particles":(series("grid", column("neighbours"))) with linespoints linetype 7
-eval(shared_key)
-plot NaN notitle, keyentry with linespoints linetype 1 title "list: all pairs", \
-  keyentry with linespoints linetype 2 title "grid of cells", \
-  keyentry with linespoints linetype 7 title "others that touch it"
+  csv using "particles":(series("grid", column("neighbours"))) with linespoints linetype 3
+names = "'list: all pairs' 'grid of cells' 'others that touch it'"; load "report/figures/key.gp"
 unset multiplot

@@ -2,7 +2,7 @@
 width = 16; height = 7.5
 load "report/figures/style.gp"
 eval(logarithmic_x)
-set xlabel "particles of liquid" offset 0, 0.4
+set xlabel "particles of liquid" offset 0, 0.6
 set xrange [1.4e3:1.5e6]
 # The numbers of threads that the table has.
 counts = ""
@@ -20,6 +20,7 @@ set yrange [0:most * 1.15]
 set arrow 1 from graph 0, first most to graph 1, first most nohead linecolor rgb "#B0B0B0" linewidth 1
 plot for [k = 1:last] csv using "particles":(only("threads", word(counts, k), column("speed_up"))) with linespoints linetype k
 unset arrow
-eval(shared_key)
-plot NaN notitle, for [k = 1:last] keyentry with linespoints linetype k title word(counts, k) . (word(counts, k) eq "1" ? " thread" : " threads")
+names = ""
+do for [k = 1:last] { names = names . "'" . word(counts, k) . (word(counts, k) eq "1" ? " thread' " : " threads' ") }
+load "report/figures/key.gp"
 unset multiplot

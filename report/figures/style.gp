@@ -34,14 +34,11 @@ spoken(name) = name eq "explicit_euler" ? "explicit Euler" : name eq "symplectic
   name eq "bogacki_shampine" ? "Bogacki–Shampine" : name
 schemes = "explicit_euler symplectic_euler velocity_verlet rk2 rk4"
 
-# Panels with titles, columns x rows, and below them room for a key that all share: a last `plot` after eval(shared_key),
-# of NaN and keyentry alone.
+# Panels with titles, columns x rows, and below them room for a key that all share (key.gp).
 panels(columns, rows) = sprintf("set multiplot layout %d, %d margins 0.09, 0.98, %g, %g spacing 0.11, %g", \
-  rows, columns, 2.1 / height, 1 - 0.8 / height, 2.5 / height)
-shared_key = "set lmargin at screen 0.02; set rmargin at screen 0.98; set bmargin at screen 0; " . \
-  sprintf("set tmargin at screen %g; ", 0.8 / height) . \
-  "unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid; unset logscale; " . \
-  "set xrange [0:1]; set yrange [0:1]; set key center center horizontal maxrows 1"
+  rows, columns, 2.5 / height, 1 - 0.8 / height, 2.6 / height)
+# The names of all schemes, for such a key.
+scheme_names = "'explicit Euler' 'symplectic Euler' Verlet RK2 RK4"
 
 if (!exists("width")) width = 16
 if (!exists("height")) height = 7.5

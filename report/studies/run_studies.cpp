@@ -74,13 +74,17 @@ void conclude(const Study& study, const Options& options, const fs::path& file, 
                text_of(conclusion));
 }
 
+/// With what the tables of a folder were measured, for the report.
+void note_machine(const fs::path& folder) {
+  const Conclusion machine{.findings = {{"version", version(), "", ""},
+                                        {"compiler", compiler(), "", ""},
+                                        {"processor", processor(), "", ""}}};
+  write_file(folder / "machine.tex", latex_of("machine", machine));
+}
+
 /// False when it was interrupted.
 bool run(const Study& study, const Options& options) {
-  const auto folder = folder_of(options);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) refuse_file(words().cannot_write, folder, error.value());
-  const auto file = folder / (study.name + ".csv");
+  const auto file = folder_of(options) / (study.name + ".csv");
   Table table(study.keys, study.values);
   const auto origin = about(study, options);
   if (fs::exists(file) && !options.force) table.read(file, origin);
@@ -169,6 +173,11 @@ int run_studies(std::span<const Study> studies, int argc, const char* const* arg
       return exit_done;
     }
     const Interrupt interrupt;
+    const auto folder = folder_of(options);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) refuse_file(words().cannot_write, folder, error.value());
+    note_machine(folder);
     for (const auto& study : studies) {
       if (!wanted(options, study) || run(study, options)) continue;
       complain("study", say(words().study.interrupted, fmt::arg("study", study.name)));

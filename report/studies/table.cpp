@@ -34,8 +34,11 @@ std::string cell(double value) { return std::isfinite(value) ? to_text(value) : 
 
 std::string rounded(double value, int digits) {
   if (!std::isfinite(value)) return "-";
-  const auto text = fmt::format("{:#.{}g}", value, digits);  // # keeps the zeros: 1.50
-  return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+  auto text = fmt::format("{:#.{}g}", value, digits);  // # keeps the zeros: 1.50
+  const auto dot = text.find('.');
+  const auto whole = dot - (value < 0 ? 1 : 0);
+  if (text.find('e') == std::string::npos && whole >= static_cast<std::size_t>(digits)) text.resize(dot);
+  return text;
 }
 
 Table::Table(std::vector<Column> keys, std::vector<Column> values) : columns_(std::move(keys)) {

@@ -21,7 +21,9 @@ stand_in() { { echo '#!/usr/bin/env bash'; cat; } > "$box/tools/$1"; chmod +x "$
 
 mkdir -p "$house"/stage{1_bouncing,2_cloud} "$box/tools"
 touch "$house"/stage{1_bouncing,2_cloud}/main.cpp "$house/CMakePresets.json"
-mkdir -p "$house/report/bench/peers"
+mkdir -p "$house"/report/{bench/peers,figures}
+cp "$here/../../report/figures/draw" "$house/report/figures/"
+touch "$house"/report/figures/{style,orders}.gp
 cp "$here/../../lab" "$house/lab"
 export PATH="$box/tools:$PATH" BOX=$box
 unset DISPLAY WAYLAND_DISPLAY CI LC_ALL LC_MESSAGES LANG
@@ -49,6 +51,24 @@ echo "${0##*/} $*"
 [[ $* == *--headless* ]] && mkdir -p "runs/${0##*/}" && : > "runs/${0##*/}/picture.png"
 :
 STAGE
+stand_in study <<'STUDY'
+echo "study $*"
+[[ $1 == -* || $# == 0 ]] && exit
+folder=runs/studies; [[ $* == *--quick* ]] && folder=runs/studies-quick
+all="$*"; [[ $all == *--out* ]] && folder=${all##*--out }
+mkdir -p "$folder" && echo 'x,y' > "$folder/orders.csv" && echo 'found' > "$folder/orders.tex"
+[[ ! -e $BOX/stopped ]] || exit 130
+STUDY
+# shellcheck disable=SC2016
+stand_in class_diagram <<< ': > "$1"'
+# shellcheck disable=SC2016
+stand_in screens <<< ': > "$1/screen.png"'
+stand_in gnuplot <<'GNUPLOT'
+figure=${2##*figure=\'}
+: > "${figure%\'}"
+GNUPLOT
+# shellcheck disable=SC2016
+stand_in pdflatex <<< 'echo pdfTeX; : > "${*: -2:1}/report.pdf"'
 stand_in cmake <<'CMAKE'
 if [[ $1 == --preset ]]; then
   mkdir -p build/release/bin && : > build/release/build.ninja
@@ -58,6 +78,7 @@ else
   [[ -e $BOX/broken ]] && { echo 'error: expected ;'; exit 1; }
   [[ -e $BOX/full ]] && { echo 'write: No space left on device'; exit 1; }
   for name in stage1_bouncing stage2_cloud bench compare; do cp "$BOX/tools/stage" "build/release/bin/$name"; done
+  for name in study class_diagram screens; do cp "$BOX/tools/$name" "build/release/bin/$name"; done
   echo 'ninja: no work to do.'
 fi
 CMAKE
@@ -93,6 +114,17 @@ expect 'the exit code of a stage ends the tour' 5 '^[^2]*$' env DISPLAY=:0 "$lab
 expect 'ctest has the last word, and its exit code passes through' 8 'ctest --preset release -j [0-9]+ -R window$' \
   "$lab" test -R window
 expect 'compare passes its arguments on' 0 '^compare A B --headless$' "$lab" compare A B --headless
+expect 'the list of studies draws nothing' 0 '^study $' "$lab" study
+expect 'a study is measured and drawn where it was asked for' 0 '^study orders --quick --out here' \
+  "$lab" study orders --quick --out here
+expect '... as a figure beside its table' 0 '^orders.pdf$' ls "$box/here" --ignore '*.csv' --ignore '*.tex'
+: > "$box/stopped"
+expect 'a study that was stopped says so' 130 '^study orders' "$lab" study orders
+rm "$box/stopped"
+expect 'the report takes no option but one' 2 'takes --quick.*not "--fast"' "$lab" report --fast
+expect 'the report measures, draws, and sets itself' 0 '^study all --quick.*Typesetting.*report/report.pdf$' \
+  "$lab" report --quick
+expect '... and is there' 0 'report.pdf' ls "$house/report"
 expect 'a misspelt peer is answered with the nearest one' 2 'no peer "pyshp".*nearest is "pysph"' \
   "$lab" bench --peer pyshp
 expect 'a peer has the last word, and its figures a place' 5 $'^turn 1 of 3\npeer --json runs/peers/pysph.json --dx 0.02$' \
@@ -107,7 +139,7 @@ rm "$box/full"
 mv "$house" "$box/elsewhere"
 expect 'a folder that moved is configured again' 0 'compare' "$box/elsewhere/lab" compare --headless
 expect 'once, and only once' 0 '^2$' grep -c configured "$box/configured"
-mkdir "$box/elsewhere/runs"
+mkdir -p "$box/elsewhere/runs"
 expect 'clean removes the build' 0 '^$' "$box/elsewhere/lab" clean
 expect 'clean keeps the results' 0 '^runs$' bash -c 'cd elsewhere && ls -d runs build 2> /dev/null; :'
 exit $((failures > 0))
