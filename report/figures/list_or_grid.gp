@@ -1,6 +1,7 @@
 # What a step costs, and whom it tests, against the number of discs: ./lab study list_or_grid
 width = 16; height = 8
 load "report/figures/style.gp"
+set datafile missing NaN  # the rows of the curves alternate
 eval(logarithmic_x); eval(logarithmic_y)
 set xlabel "discs n" offset 0, 0.6
 set xrange [7:2e6]
@@ -9,18 +10,17 @@ unset key
 series(name, value) = only("search", name, value)
 
 # Grey: n and n^2, through the last point of either curve.
-stats csv using (series("grid", column("particles"))):(column("seconds") / column("particles")) nooutput
-linear = STATS_pos_max_x > 0 ? STATS_max_y : 1
 last_n = 1; last_seconds = 1; last_list_n = 1; last_list_seconds = 1
 note(name, n, seconds) = name eq "grid" ? (last_n = n, last_seconds = seconds, 0) : \
   (last_list_n = n, last_list_seconds = seconds, 0)
 stats csv using (note(strcol("search"), column("particles"), column("seconds"))) nooutput
 
-set ylabel "processor time of a step [s]" offset 1, 0
-set label 1 "n^2" at last_list_n * 1.6, last_list_seconds textcolor rgb grey
+set ylabel "time of a step [s]" offset 2, 0
+set label 1 "n^2" at last_list_n * 1.7, last_list_seconds * 2.4 textcolor rgb grey
 set label 2 "n" at last_n * 0.55, last_seconds * 0.18 textcolor rgb grey
-plot [x = 300:last_list_n * 1.4] last_list_seconds * (x / last_list_n)**2 with lines linecolor rgb "#B0B0B0" linewidth 1, \
-  [x = 300:last_n * 1.4] last_seconds * (x / last_n) with lines linecolor rgb "#B0B0B0" linewidth 1, \
+power(x, exponent, n, seconds) = x > 300 && x < 1.5 * n ? seconds * (x / n)**exponent : NaN
+plot power(x, 2, last_list_n, last_list_seconds) with lines linecolor rgb "#B0B0B0" linewidth 1, \
+  power(x, 1, last_n, last_seconds) with lines linecolor rgb "#B0B0B0" linewidth 1, \
   csv using "particles":(series("list", column("seconds"))) with linespoints linetype 1, \
   csv using "particles":(series("grid", column("seconds"))) with linespoints linetype 2
 unset label

@@ -35,8 +35,8 @@ Outcome at_one_point(Effort /*effort*/) {
     advance_steps(*again, 200);
     const auto& r = discs->particles().position;
     const auto& v = discs->particles().velocity;
-    apart = norm(row(r, 0) - row(r, 1));
-    moved = std::max(moved, norm(row(v, 0) + row(v, 1)) / norm(row(v, 0)));
+    apart = norm(clapotis::row(r, 0) - clapotis::row(r, 1));
+    moved = std::max(moved, norm(clapotis::row(v, 0) + clapotis::row(v, 1)) / norm(clapotis::row(v, 0)));
     passed = passed && finite(*discs) && apart > 20 && (r == again->particles().position).all() &&
              warned(*discs, "at one point");
   }
@@ -72,7 +72,7 @@ Outcome corner(Effort /*effort*/) {
                                                                {"impacts", impacts},
                                                                {"integrator", scheme}}));
           advance_steps(*ball, 3);
-          const auto v = row(ball->particles().velocity, 0);
+          const auto v = clapotis::row(ball->particles().velocity, 0);
           worst = std::max(worst, norm(v - Vector{-160 * side_x, -160 * side_y}) / norm(v));
         }
   return {fmt::format("each wall turned it round once; its velocity is off by {} at most", rounded(worst, 2)),
@@ -99,7 +99,7 @@ Outcome huge_speed(Effort /*effort*/) {
         s.velocity.row(0) << v, -v / 3;
       });
       disc->step();
-      const auto at = row(disc->particles().position, 0);
+      const auto at = clapotis::row(disc->particles().position, 0);
       const double off = std::max(std::abs(at.x - folded(x0, v, radius, 800 - radius)),
                                   std::abs(at.y - folded(y0, -v / 3, radius, 600 - radius)));
       worst = std::max(worst, off / std::abs(v));

@@ -81,10 +81,11 @@ Conclusion conclude(const Table& table) {
   add("list_exponent", rounded(list_law.exponent), "", "of n in a step of the list, n >= 1000");
   add("grid_exponent", rounded(grid_law.exponent), "", "of n in a step of the grid, n >= 1000");
   if (list.n.empty() || grid.n.empty()) return found;
-  add("list_to", rounded(list.n.back(), 6), "", "discs, the most that were measured in the list");
+  add("list_to", fmt::format("{:.0f}", list.n.back()), "", "discs, the most that were measured in the list");
   add("list_million", rounded(list_law.at(1e6) / 60, 2), "min",
       "a step of a million discs in the list, were the fit to hold so far");
-  add("grid_most", rounded(grid.n.back(), 7), "", "discs, the most that were measured in the grid");
+  add("grid_most", fmt::format("{:.0f}", grid.n.back()), "",
+      "discs, the most that were measured in the grid");
   add("grid_step", rounded(1e3 * grid.seconds.back()), "ms", "a step of so many in the grid");
   add("grid_each", rounded(1e9 * grid.seconds.back() / grid.n.back()), "ns", "of that for each disc");
   for (std::size_t k = 0; k < std::min(list.n.size(), grid.n.size()); ++k)

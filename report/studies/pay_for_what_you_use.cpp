@@ -23,11 +23,10 @@ std::vector<Priced> priced_scenes() {
   return {
       {.scene = "dam break",
        .itself = of("as it is", "stage4/dam_break", fine, {}),
-       .more = {of("artificial viscosity of strength 0", "stage4/dam_break", fine, {{"alpha", "0"}}),
+       .more = {of("viscosity of strength 0", "stage4/dam_break", fine, {{"alpha", "0"}}),
                 of("laminar viscosity", "stage4/dam_break", fine, {{"nu", "1e-3"}}),
                 of("density as a sum", "stage4/dam_break", fine, {{"density", "summation"}}),
-                of("planes in place of walls of particles", "stage4/dam_break", fine,
-                   {{"walls", "reflect"}})}},
+                of("planes in place of walls", "stage4/dam_break", fine, {{"walls", "reflect"}})}},
       {.scene = "tank of water",
        .itself = of("as it is", "stage5/standing_wave", tank, {{"amplitude", "0"}}),
        .more = {of("Newtonian viscosity", "stage5/standing_wave", tank, {{"amplitude", "0"}, {"nu", "1e-3"}}),
@@ -127,7 +126,7 @@ Conclusion conclude(const Table& table) {
   ratio("laminar", "liquid", "laminar viscosity", "times as long with laminar viscosity, of a liquid");
   ratio("tension", "liquid", "surface tension", "times as long with surface tension, of a liquid");
   ratio("walls", "liquid", "walls of particles", "times as long with walls of particles, of a liquid");
-  ratio("zero", "dam break", "artificial viscosity of strength 0",
+  ratio("zero", "dam break", "viscosity of strength 0",
         "times as long with a law of strength 0: a zero is computed, only an absent law is free");
   ratio("implicit", "flow between plates", "viscosity implicit",
         "times as long is a step with implicit viscosity");

@@ -34,7 +34,7 @@ std::vector<Priced> priced_discs() {
   return {{.scene = "discs that pass each other",
            .itself = discs<Heavy>("gravity"),
            .more = {discs<HeavyInAir>("air drag"), discs<HeavyInBox>("walls"),
-                    discs<HeavyOnes>("air drag and masses of their own", true),
+                    discs<HeavyOnes>("drag and masses of their own", true),
                     discs<HeavyAndTouching>("contact springs")}},
           {.scene = "discs that touch",
            .itself = discs<Touching<>>("contact springs"),

@@ -30,10 +30,12 @@ std::vector<int> thread_counts() {
 }
 
 /// Where the time of the steps between two looks at the clock went [ns per particle and step].
-Row phases(const Cost& before, const Cost& after, double updates) {
-  const auto each = [&](double Cost::*phase) { return 1e9 * (after.*phase - before.*phase) / updates; };
-  return row(each(&Cost::neighbours), each(&Cost::density), each(&Cost::forces), each(&Cost::walls),
-             each(&Cost::integration));
+Row phases(const clapotis::Cost& before, const clapotis::Cost& after, double updates) {
+  const auto each = [&](double clapotis::Cost::*phase) {
+    return 1e9 * (after.*phase - before.*phase) / updates;
+  };
+  return row(each(&clapotis::Cost::neighbours), each(&clapotis::Cost::density), each(&clapotis::Cost::forces),
+             each(&clapotis::Cost::walls), each(&clapotis::Cost::integration));
 }
 
 std::vector<Row> measure(long count, int times) {
