@@ -15,7 +15,7 @@ note(name, n, seconds) = name eq "grid" ? (last_n = n, last_seconds = seconds, 0
   (last_list_n = n, last_list_seconds = seconds, 0)
 stats csv using (note(strcol("search"), column("particles"), column("seconds"))) nooutput
 
-set ylabel "time of a step [s]" offset 2, 0
+set ylabel "time of a step [s]" offset 1.7, 0
 set label 1 "n^2" at last_list_n * 1.7, last_list_seconds * 2.4 textcolor rgb grey
 set label 2 "n" at last_n * 0.55, last_seconds * 0.18 textcolor rgb grey
 power(x, exponent, n, seconds) = x > 300 && x < 1.5 * n ? seconds * (x / n)**exponent : NaN
@@ -24,7 +24,7 @@ plot power(x, 2, last_list_n, last_list_seconds) with lines linecolor rgb "#B0B0
   csv using "particles":(series("list", column("seconds"))) with linespoints linetype 1, \
   csv using "particles":(series("grid", column("seconds"))) with linespoints linetype 2
 unset label
-set ylabel "others tested for each disc"
+set ylabel "others tested for each disc" offset 0.6, 0
 plot csv using "particles":(series("list", column("pairs_tested"))) with linespoints linetype 1, \
   csv using "particles":(series("grid", column("pairs_tested"))) with linespoints linetype 2, \
   csv using "particles":(series("grid", column("neighbours"))) with linespoints linetype 3

@@ -3,54 +3,60 @@ width = 16; height = 17
 load "report/figures/style.gp"
 unset key; unset grid
 discs(scene_) = strstrt(scene_, "discs") == 1
-row = 0; scene = ""; total = 0; few = 0
-# The rows in their order, one more before each scene but the first.
-place(name) = (row = row + (name ne scene && scene ne "" ? 1.7 : 1), scene = name, row)
-restart(dummy) = (row = 0, scene = "", 0)
-stats csv using (discs(strcol("scene")) ? place(strcol("scene")) : NaN) nooutput
-few = row
-dummy = restart(0)
-stats csv using (discs(strcol("scene")) ? NaN : place(strcol("scene"))) nooutput
-many = row
 itself(law) = law eq "itself"
-shown(first) = discs(strcol("scene")) == first
-at(first) = shown(first) ? place(strcol("scene")) : NaN
-here(first, name_) = shown(first) ? column(name_) : NaN
-name(scene_, law, has) = itself(law) ? scene_ . (has eq "as it is" ? "" : ": " . has) : "+ " . law
-half = 0.33
+name(scene_, law, has) = itself(law) ? scene_ . (has eq "as it is" ? "" : ": " . has) : "+ " . law . \
+  (column("step") > 1.5 ? sprintf(", dt × %.0f", column("step")) : "")
 
+# Rows are read in the order of the table: each has its line, a scene stands apart from the one before it, and all its
+# bars are multiples of the time that the scene itself took.
+line = 0; scene = ""; base = 0
+start(dummy) = (line = 0, scene = "", 0)
+place(name_) = (line = line + (name_ ne scene && scene ne "" ? 1.7 : 1), scene = name_, line)
+shown(first) = discs(strcol("scene")) == first
+read(first) = (column(0) == 0 ? start(0) : 0, itself(strcol("law")) ? (base = column("before")) : 0, \
+  shown(first) ? place(strcol("scene")) : NaN)
+# A bar beyond `most` is cut; its number says how long it is.
+most = 0
+stats csv using (most = column("before") > most ? column("before") : most) nooutput
+most = 1.2 * most
+duration(dummy) = itself(strcol("law")) ? base : base * column("ratio")
+bar(first) = shown(first) ? (duration(0) > most ? most : duration(0)) : NaN
+memory(first) = shown(first) ? column("bytes") : NaN
+factor(dummy) = itself(strcol("law")) ? "" : sprintf(column("ratio") < 10 ? " × %.2f" : " × %.1f", column("ratio"))
+shade(colour) = itself(strcol("law")) ? 0x8C8C8C : colour
+
+stats csv using (y = read(1)) nooutput
+few = line
+stats csv using (y = read(0)) nooutput
+many = line
+half = 0.33
 set multiplot
-set border 1; unset ytics; set xtics 100
-unit = (height - 3.6) / (few + many + 2)  # cm per row
+set border 1; unset ytics
+row = (height - 3.6) / (few + many + 2)  # cm
 top = 1 - 0.3 / height
 do for [part = 1:2] {
   first = part == 1
   rows = first ? few : many
-  bottom = top - (rows + 0.8) * unit / height
+  bottom = top - (rows + 0.8) * row / height
   set yrange [rows + 0.7:0.3]
   set tmargin at screen top; set bmargin at screen bottom
   # time
-  set lmargin at screen 0.40; set rmargin at screen 0.74
-  set xrange [0:*]; set xtics first ? 20 : 100; set offsets graph 0, graph 0.16, 0, 0
+  set lmargin at screen 0.38; set rmargin at screen 0.75
+  set xrange [0:*]; set xtics first ? 10 : 100; set offsets graph 0, graph 0.2, 0, 0
   set xlabel first ? "" : "time for one particle and step [ns]" offset 0, 0.6
-  dummy = restart(0)
-  plot csv using (0):(y = at(first)):(0):(here(first, "time")):(y - half):(y + half):(itself(strcol("law")) ? 0x7F7F7F : 0x0072B2) \
+  plot csv using (0):(y = read(first)):(0):(bar(first)):(y - half):(y + half):(shade(0x0072B2)) \
       with boxxyerror fillstyle solid 0.85 noborder linecolor rgb variable, \
-    csv using (restart_once = column(0) == 0 ? restart(0) : 0, y = at(first), here(first, "before")):(y - half):(0):(2 * half) \
-      with vectors nohead linecolor rgb "#404040" linewidth 1, \
-    csv using (shown(first) && column("time") < column("before") ? column("before") : here(first, "time")):(restart_once = column(0) == 0 ? restart(0) : 0, at(first)):\
-      (itself(strcol("law")) ? "" : sprintf(column("ratio") < 10 ? " × %.2f" : " × %.1f", column("ratio"))) with labels left offset 0.3, 0 font ",8", \
-    csv using (0):(restart_once = column(0) == 0 ? restart(0) : 0, at(first)):(name(strcol("scene"), strcol("law"), strcol("has"))) \
+    csv using (y = read(first), shown(first) ? base : NaN):(y - half):(0):(2 * half) with vectors nohead linecolor rgb "#303030" linewidth 1, \
+    csv using (y = read(first), bar(first) < base ? base : bar(first)):(y):(factor(0)) with labels left offset 0.3, 0 font ",8", \
+    csv using (0):(y = read(first)):(name(strcol("scene"), strcol("law"), strcol("has"))) \
       with labels right offset -0.7, 0 font ",9"
   # memory
   set lmargin at screen 0.79; set rmargin at screen 0.97
-  set offsets graph 0, graph 0.2, 0, 0; set xtics 100
+  set xtics 100; set offsets graph 0, graph 0.2, 0, 0
   set xlabel first ? "" : "bytes per particle" offset 0, 0.6
-  dummy = restart(0)
-  plot csv using (0):(y = at(first)):(0):(here(first, "bytes")):(y - half):(y + half):(itself(strcol("law")) ? 0x7F7F7F : 0xD55E00) \
+  plot csv using (0):(y = read(first)):(0):(memory(first)):(y - half):(y + half):(shade(0xD55E00)) \
       with boxxyerror fillstyle solid 0.85 noborder linecolor rgb variable, \
-    csv using (here(first, "bytes")):(restart_once = column(0) == 0 ? restart(0) : 0, at(first)):(sprintf(" %.0f", column("bytes"))) \
-      with labels left offset 0.3, 0 font ",8"
+    csv using (memory(first)):(y = read(first)):(sprintf(" %.0f", column("bytes"))) with labels left offset 0.3, 0 font ",8"
   top = bottom - 1.0 / height
 }
 unset multiplot

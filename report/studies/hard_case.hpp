@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "report/studies/study.hpp"
 
@@ -20,7 +19,15 @@ struct HardCase {
   std::function<Outcome(Effort)> run;  ///< none where a window is needed, and a test holds it
 };
 
-std::vector<HardCase> hard_cases_of_particles();
-std::vector<HardCase> hard_cases_of_runs();
+HardCase one_point();
+HardCase exact_corner();
+HardCase huge_speed();
+HardCase large_step();
+HardCase bad_input();
+HardCase crowded_cell();
+HardCase million_steps();
+HardCase extreme_masses();
+HardCase window();
+HardCase any_threads();
 
 }  // namespace clapotis::studies

@@ -7,10 +7,9 @@ namespace clapotis::studies {
 namespace {
 
 std::vector<Point> points(Effort effort) {
-  auto cases = hard_cases_of_particles();
-  for (auto& each : hard_cases_of_runs()) cases.push_back(std::move(each));
   std::vector<Point> all;
-  for (const auto& each : cases)
+  for (const auto& each : {one_point(), exact_corner(), huge_speed(), large_step(), bad_input(),
+                           crowded_cell(), million_steps(), extreme_masses(), window(), any_threads()})
     all.push_back({.key = row(each.name), .measure = [each, effort] {
                      if (!each.run) return one_row(each.tried, each.criterion, "held by its tests", "tested");
                      const auto outcome = each.run(effort);

@@ -40,7 +40,7 @@ long step_lost(const char* name, std::vector<std::pair<std::string, std::string>
   return 0;
 }
 
-Outcome too_large_steps(Effort /*effort*/) {
+Outcome go_beyond_limits(Effort /*effort*/) {
   const std::vector<std::pair<const char*, std::vector<std::pair<std::string, std::string>>>> cases{
       {"stage1/drop", {{"drag", "1e4"}, {"vy0", "-1"}, {"integrator", "explicit_euler"}}},
       {"stage2/stack", {{"drag", "0"}}},
@@ -94,7 +94,7 @@ void try_scene(const Scene& scene, Refused& refused) {
   }
 }
 
-Outcome bad_input(Effort effort) {
+Outcome give_bad_values(Effort effort) {
   Refused refused;
   long scenes = 0;
   for (const auto& stage : all_stages())
@@ -112,7 +112,7 @@ Outcome bad_input(Effort effort) {
   return {happened, refused.accepted == 0 && refused.unclear == 0};
 }
 
-Outcome any_number_of_threads(Effort effort) {
+Outcome share_between_threads(Effort effort) {
   const long steps = effort == Effort::quick ? 50 : 500;
   long runs = 0, differ = 0;
   for (const auto& [name, values] :
@@ -141,19 +141,28 @@ Outcome any_number_of_threads(Effort effort) {
 
 }  // namespace
 
-std::vector<HardCase> hard_cases_of_runs() {
-  return {{"steps beyond the limit", "thick air (Euler); a stack of springs; still water; 1 2 and 5 times",
-           "1000 steps at 1x; else announced; found within 50 steps with step particle and limit; the last "
-           "good state kept bit for bit",
-           too_large_steps},
-          {"values that cannot be", "NaN inf words and values out of range for every parameter",
-           "refused before anything runs; parameter value range and unit named", bad_input},
-          {"window closed minimised resized stalled",
-           "not here: tests/window/window_test.cpp (size zoom panel and overlays; a minimised window) and "
-           "session_test.cpp (after a stall nothing is caught up; how many frames it took)",
-           "same bits with and without; nothing caught up", nullptr},
-          {"same seed any number of threads", "a cloud; a dam break; a drop; a jet", "the same bits",
-           any_number_of_threads}};
+HardCase large_step() {
+  return {
+      "steps beyond the limit",
+      "thick air (Euler); a stack of springs; still water; 1 2 and 5 times (exit code and files: "
+      "tests/common/runner_test.cpp)",
+      "1000 steps at 1x; else announced; found within 50 steps with step particle and limit; the last good "
+      "state kept bit for bit",
+      go_beyond_limits};
+}
+HardCase bad_input() {
+  return {"values that cannot be", "NaN inf words and values out of range for every parameter",
+          "refused before anything runs; parameter value range and unit named", give_bad_values};
+}
+HardCase window() {
+  return {"window closed minimised resized stalled",
+          "not here: tests/window/window_test.cpp (size zoom panel and overlays; a minimised window) and "
+          "session_test.cpp (after a stall nothing is caught up; how many frames it took)",
+          "same bits with and without; nothing caught up", nullptr};
+}
+HardCase any_threads() {
+  return {"same seed any number of threads", "a cloud; a dam break; a drop; a jet", "the same bits",
+          share_between_threads};
 }
 
 }  // namespace clapotis::studies

@@ -95,20 +95,37 @@ std::vector<Point> points(Effort effort) {
   return all;
 }
 
+/// What fusing laws saves: one sweep over the neighbours for all of them.
+void fused(const Table& table, Conclusion& found) {
+  double added = 0, by_themselves = 0;
+  for (const auto& each : table.where({{"scene", "liquid"}})) {
+    const double itself = table.number(each, "alone");
+    if (!(itself > 20)) continue;  // ns: a law between pairs
+    added += table.number(each, "before") * (table.number(each, "ratio") - 1);
+    by_themselves += itself;
+  }
+  if (by_themselves > 0)
+    found.findings.push_back(
+        {"fused", rounded(100 * added / by_themselves, 2), "%",
+         "of what a law between pairs of a liquid takes by itself does it add to the sweep "
+         "that all share"});
+}
+
 Conclusion conclude(const Table& table) {
   TextTable prices{
       .name = "prices",
       .header = {"scene", "one law more", "ns per particle and step", "times as long", "bytes per particle"},
       .rows = {}};
-  double unchanged = 0;
+  double unchanged = 0, base = 0;  // of the scene at hand [ns]
   Conclusion found;
   for (const auto& each : table.rows()) {
     if (table.diverged(each)) continue;
     const bool itself = table.text(each, "law") == "itself";
+    if (itself) base = table.number(each, "before");
     if (itself) unchanged = std::max(unchanged, std::abs(table.number(each, "ratio") - 1));
     prices.rows.push_back({itself ? table.text(each, "scene") : "",
                            itself ? table.text(each, "has") : "+ " + table.text(each, "law"),
-                           rounded(table.number(each, "time")),
+                           rounded(itself ? base : base * table.number(each, "ratio")),
                            itself ? "" : rounded(table.number(each, "ratio")),
                            rounded(table.number(each, "bytes"))});
   }
@@ -131,8 +148,13 @@ Conclusion conclude(const Table& table) {
   ratio("implicit", "flow between plates", "viscosity implicit",
         "times as long is a step with implicit viscosity");
   for (const auto& each : table.where({{"scene", "flow between plates"}, {"law", "viscosity implicit"}}))
-    found.findings.push_back({"implicit_step", rounded(table.number(each, "step")), "",
-                              "times as long a step, of the flow, does it take for that"});
+    found.findings.insert(
+        found.findings.end(),
+        {{"implicit_step", rounded(table.number(each, "step")), "",
+          "times as long a time step it takes for that"},
+         {"implicit_second", rounded(table.number(each, "ratio") / table.number(each, "step")), "",
+          "times as long takes a second of the flow with it"}});
+  fused(table, found);
   found.tables = {prices};
   return found;
 }

@@ -19,7 +19,7 @@ using Touching = FusedModel<CellGrid, UniformMass, ContactSpring, Laws...>;
 template <class Model>
 OneLawMore discs(const char* law, bool masses = false) {
   return {law, [=] {
-            return packed_cloud(cloud_with<Model>("discs", masses), 10000, 1, {{"dt", {"1e-6"}}});
+            return packed_cloud(cloud_with<Model>("discs", masses), 10000, 1, {{"dt", {"1e-9"}}});
           }};
 }
 

@@ -40,7 +40,7 @@ OneLawMore block(const char* law, const Make& make, const char* density = "conti
                                  {"density", density},
                                  {"nu", "0.001"},
                                  {"tension", "yes"},
-                                 {"dt", "1e-7"}},
+                                 {"dt", "1e-9"}},
                     .build = build};
   return {law, [=] { return std::make_unique<Simulation>(scene); }};
 }
