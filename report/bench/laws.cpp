@@ -4,26 +4,11 @@
 #include "common/laws/contact_spring.hpp"
 #include "common/laws/gravity.hpp"
 #include "common/neighbours/cell_grid.hpp"
-#include "common/simulation/fused_model.hpp"
 #include "report/bench/timed.hpp"
-#include "stage1_bouncing/scenes.hpp"
-#include "stage3_grid/scenes.hpp"
+#include "report/cloud_with.hpp"
 
 namespace clapotis::bench {
 namespace {
-
-/// The scene cloud of stage 3 with other laws in its model.
-template <class Model>
-Scene cloud_with(std::string name) {
-  auto scene = stage3::stage().scene("cloud");
-  scene.name = std::move(name);
-  scene.build = [cloud = scene.build](Parameters& p) {
-    auto setup = cloud(p);
-    setup.model = std::make_unique<Model>(p);
-    return setup;
-  };
-  return scene;
-}
 
 template <class... Laws>
 using Grid = FusedModel<CellGrid, UniformMass, Laws...>;

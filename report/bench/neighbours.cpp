@@ -21,7 +21,7 @@ double exponent(const Row& a, const Row& b) {
 std::vector<Row> sweep(const Stage& stage, const std::vector<long>& counts) {
   std::vector<Row> rows;
   for (const long n : counts) {
-    auto cloud = packed_cloud(stage, n);
+    auto cloud = packed_cloud(stage.scene("cloud"), n);
     rows.push_back({n, step_seconds(fmt::format("{}: a step of {} discs", stage.name, n), *cloud)});
   }
   return rows;
@@ -63,7 +63,8 @@ TEST_CASE("cost of a step against n, all pairs and grid, one core", "[neighbours
 }
 
 TEST_CASE("two threads against one, 100,000 discs", "[threads]") {
-  auto one = packed_cloud(stage3::stage(), 100000), two = packed_cloud(stage3::stage(), 100000, 2);
+  auto one = packed_cloud(stage3::stage().scene("cloud"), 100000),
+       two = packed_cloud(stage3::stage().scene("cloud"), 100000, 2);
   const double seconds = step_seconds("a step of 100000 discs, one thread", *one);
   const auto pairs = one->model().count_pairs(one->particles());
   fmt::print("\none thread: {:.2f} M updates/s, {:.2f} neighbours and {:.2f} candidates each\n",

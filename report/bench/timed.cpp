@@ -1,9 +1,10 @@
 #include "report/bench/timed.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <vector>
+
+#include "common/runner/stopwatch.hpp"
+#include "report/in_turns.hpp"
 
 namespace clapotis::bench {
 namespace {
@@ -40,36 +41,8 @@ double step_seconds(const std::string& name, Simulation& simulation) {
 }
 
 double times_as_fast(Simulation& other, Simulation& base) {
-  constexpr int turns = 31, steps = 20;
-  const auto seconds = [](Simulation& simulation) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int step = 0; step < steps; ++step) simulation.step();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  std::vector<double> ratios;
-  for (int turn = 0; turn < turns; ++turn) {
-    const double before = seconds(base);
-    ratios.push_back(before / seconds(other));
-  }
-  std::nth_element(ratios.begin(), ratios.begin() + turns / 2, ratios.end());
-  return ratios[turns / 2];
-}
-
-std::unique_ptr<Simulation> packed_cloud(const Stage& stage, long count, int threads) {
-  constexpr double h = 10;
-  const auto across = static_cast<long>(std::ceil(std::sqrt(static_cast<double>(count) * std::sqrt(0.75))));
-  const long lines = (count + across - 1) / across;
-  const double width = 2 * h * (static_cast<double>(across) + 0.5);
-  const double height = 2 * h * (static_cast<double>(lines - 1) * std::sqrt(0.75) + 1.001);
-  const Overrides overrides{{"particles", {std::to_string(count)}},
-                            {"width", {to_text(width)}},
-                            {"height", {to_text(height)}},
-                            {"y0", {"0"}}};
-  auto simulation =
-      std::make_unique<Simulation>(stage.scene("cloud"), overrides, default_integrator, threads);
-  simulation->system().position *= 0.99;
-  simulation->step();
-  return simulation;
+  return median_of(in_turns(base, other, 31, 20, wall_seconds),
+                   [](const Turn& turn) { return turn.base / turn.other; });
 }
 
 }  // namespace clapotis::bench

@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
-      orders(),
+      orders(), list_or_grid(), pay_for_what_you_use(), scaling(), hard_cases(),
   };
   return run_studies(studies, argc, argv);
 }
