@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
-      orders(),
+      orders(), work_precision_bounce(), work_precision_spring(), stability_map(), long_run(),
   };
   return run_studies(studies, argc, argv);
 }
