@@ -10,11 +10,15 @@ set xrange [0:last / unit]
 set style fill transparent solid 0.25 noborder
 do for [run in "'springs' 'bouncing stack' 'lattice' 'still water'"] {
   stats csv using (only("run", run, column("most"))) nooutput
-  high = abs(STATS_max)
+  high = STATS_max
   stats csv using (only("run", run, column("least"))) nooutput
-  power = floor(log10(high > -STATS_min ? high : -STATS_min))
+  low = STATS_min
+  power = floor(log10(high > -low ? high : -low))
+  span = (high - low) / 10 ** power
+  step = span > 8 ? 4 : span > 4 ? 2 : span > 2 ? 1 : 0.5
+  set ytics step
   set title run offset 0, -0.5
-  set ylabel sprintf("error of the energy [10^{%d}]", power) offset 1, 0
+  set ylabel sprintf("energy error [10^{%d}]", power) offset 1, 0
   set xlabel (unit == 1e6 ? "steps [million]" : "steps [thousand]") offset 0, 0.4
   plot 0 with lines linecolor rgb grey linewidth 0.8, \
     csv using (only("run", run, column("step") / unit)):(column("least") / 10 ** power):(column("most") / 10 ** power) \

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -15,6 +16,8 @@ namespace clapotis::studies {
 namespace {
 
 constexpr long full_steps = 1000000, quick_steps = 20000, samples = 200, looks = 50;
+
+constexpr double water_depth = 0.5, gravity = 9.81;  ///< of still water [m], [m/s^2]
 
 /// Something that could go on for ever without a loss, or at rest.
 struct Case {
@@ -49,9 +52,11 @@ const std::array cases{
          [](Simulation& lattice) { return lattice.energy().mechanical(); }, 8},
     Case{"still water", "potential energy",
          [] {
-           return simulation(
-               scene("stage4/still_water",
-                     {{"tank_width", "1"}, {"tank_height", "0.75"}, {"depth", "0.5"}, {"spacing", "0.05"}}));
+           return simulation(scene("stage4/still_water", {{"tank_width", "1"},
+                                                          {"tank_height", "0.75"},
+                                                          {"depth", to_text(water_depth)},
+                                                          {"gravity", to_text(gravity)},
+                                                          {"spacing", "0.05"}}));
          },
          [](Simulation& water) { return water.energy().potential; }, 40}};
 
@@ -160,6 +165,16 @@ Conclusion conclude(const Table& table) {
     conclusion.findings.push_back(
         {name + "_swing", rounded(swing, 2), "", of + "swing within a 200th of the run"});
     conclusion.findings.push_back({name + "_leak", cell(leak), "byte", of + "more memory at the end"});
+  }
+  const auto water = table.where({{"run", "still water"}, {"outcome", "done"}});
+  if (!water.empty()) {
+    const auto fastest = table.numbers(water, "fastest");
+    const double wave = std::sqrt(gravity * water_depth);
+    conclusion.findings.push_back({"still_water_speed",
+                                   rounded(*std::max_element(fastest.begin(), fastest.end()) / wave, 2), "",
+                                   "still water: largest speed over sqrt(g H)"});
+    conclusion.findings.push_back({"still_water_last_speed", rounded(fastest.back() / wave, 2), "",
+                                   "still water: largest speed over sqrt(g H) at the end"});
   }
   conclusion.tables.push_back(runs);
   return conclusion;
