@@ -6,7 +6,15 @@
 int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
-      orders(), list_or_grid(), pay_for_what_you_use(), scaling(), hard_cases(),
+      orders(),
+      work_precision_bounce(),
+      work_precision_spring(),
+      list_or_grid(),
+      stability_map(),
+      pay_for_what_you_use(),
+      scaling(),
+      long_run(),
+      hard_cases(),
   };
   return run_studies(studies, argc, argv);
 }

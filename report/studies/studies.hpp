@@ -5,9 +5,13 @@
 namespace clapotis::studies {
 
 Study orders();
+Study work_precision_bounce();
+Study work_precision_spring();
 Study list_or_grid();
+Study stability_map();
 Study pay_for_what_you_use();
 Study scaling();
+Study long_run();
 Study hard_cases();
 
 }  // namespace clapotis::studies
