@@ -5,5 +5,6 @@
 namespace clapotis::studies {
 
 Study orders();
+Study standing_wave();
 
 }  // namespace clapotis::studies
