@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
       orders(),
+      sloshing(),
       standing_wave(),
   };
   return run_studies(studies, argc, argv);

@@ -5,6 +5,7 @@
 namespace clapotis::studies {
 
 Study orders();
+Study sloshing();
 Study standing_wave();
 
 }  // namespace clapotis::studies
