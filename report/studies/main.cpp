@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
       orders(),
       sloshing(),
       standing_wave(),
+      jet(),
   };
   return run_studies(studies, argc, argv);
 }

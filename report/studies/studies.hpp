@@ -7,5 +7,6 @@ namespace clapotis::studies {
 Study orders();
 Study sloshing();
 Study standing_wave();
+Study jet();
 
 }  // namespace clapotis::studies
