@@ -6,10 +6,7 @@
 int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
-      orders(),
-      sloshing(),
-      standing_wave(),
-      jet(),
+      orders(), sloshing(), standing_wave(), capillarity(), jet(),
   };
   return run_studies(studies, argc, argv);
 }

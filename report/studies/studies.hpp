@@ -7,6 +7,7 @@ namespace clapotis::studies {
 Study orders();
 Study sloshing();
 Study standing_wave();
+Study capillarity();
 Study jet();
 
 }  // namespace clapotis::studies
