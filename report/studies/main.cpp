@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
-      orders(), sloshing(), standing_wave(), capillarity(), jet(),
+      orders(), sloshing(), standing_wave(), capillarity(), honey(), jet(),
   };
   return run_studies(studies, argc, argv);
 }

@@ -8,6 +8,7 @@ Study orders();
 Study sloshing();
 Study standing_wave();
 Study capillarity();
+Study honey();
 Study jet();
 
 }  // namespace clapotis::studies
