@@ -157,15 +157,18 @@ Conclusion conclude(const Table& table) {
     }
   }
   std::vector<Finding> findings;
-  const auto worst = [&](const std::string& name, const std::string& finding, const std::string& meaning) {
-    double most = nothing;
-    for (const auto& each :
-         table.where({{"case", name}, {"R_over_dx", "25"}, {"h_over_dx", "3"}, {"part", "run"}}))
-      most = table.number(each, "error");
-    findings.push_back({finding, rounded(100 * most, 2), "%", meaning + " with R/dx = 25"});
+  const auto error = [&](const std::string& name, const std::string& resolution, const std::string& width) {
+    const auto runs =
+        table.where({{"case", name}, {"R_over_dx", resolution}, {"h_over_dx", width}, {"part", "run"}});
+    return runs.empty() ? std::string("-") : rounded(100 * table.number(runs[0], "error"), 2);
   };
-  worst("round", "jump_error", "error of the pressure jump");
-  worst("swinging", "period_error", "error of the period");
+  findings.push_back(
+      {"jump_error", error("round", "25", "3"), "%", "error of the pressure jump with R/dx = 25"});
+  findings.push_back(
+      {"period_error", error("swinging", "25", "3"), "%", "error of the period with R/dx = 25"});
+  findings.push_back({"fine_period_error", error("swinging", "50", "3"), "%", "the same with R/dx = 50"});
+  findings.push_back(
+      {"wide_period_error", error("swinging", "50", "4"), "%", "the same with R/dx = 50 and h/dx = 4"});
   double most = 0;
   for (const std::string angle : angles)
     for (const auto& each : table.where({{"case", "plate " + angle}, {"R_over_dx", "25"}}))
