@@ -219,8 +219,8 @@ Outcome collide(Effort /*effort*/) {
     lost = std::max(lost, std::abs(momentum() / before - 1));
   }
   return {
-      fmt::format("step from the lightest mass to {}; they part as fast as they met to {}; momentum to {}",
-                  rounded(steps_off, 2), shown(off), shown(lost)),
+      fmt::format("the limit of the lightest mass to {}; they part as fast as they met to {}; momentum to {}",
+                  shown(steps_off), shown(off), shown(lost)),
       named && steps_off < 1e-12 && off < 0.05 && lost < 1e-12};
 }
 

@@ -116,6 +116,9 @@ Conclusion conclude(const Table& table) {
                               "times as fast are " + threads + " threads, median over n"});
     found.findings.push_back(
         {"speed_up_few_" + threads, rounded(gains.front()), "", "with the fewest particles"});
+    found.findings.push_back(
+        {"spread_" + threads, rounded(median(table.numbers(with(table, threads), "spread")), 2), "",
+         "of their times, largest less smallest over median: what else the machine did"});
     found.findings.push_back({"speed_up_many_" + threads, rounded(gains.back()), "", "with the most"});
   }
   found.tables = {by_phase(table)};
