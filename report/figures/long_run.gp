@@ -13,8 +13,8 @@ do for [run in "'springs' 'bouncing stack' 'lattice' 'still water'"] {
   set xlabel (unit == 1e6 ? "steps [million]" : "steps [thousand]") offset 0, 0.4
   if (run eq "bouncing stack") {
     set ylabel "energy error" offset 1, 0
-    eval(logarithmic_y); set ytics auto
-    set key top left
+    eval(logarithmic_y); set ytics auto; set mytics 1
+    set key bottom right
     plot csv using (only("run", run, column("step") / unit)):(abs(column("energy_error"))) \
         with lines linetype 2 linewidth 1 title "automatic step", \
       csv using (only("run", run . " at half the step", column("step") / unit)):(abs(column("energy_error"))) \
