@@ -4,7 +4,7 @@ load "report/figures/style.gp"
 set logscale x; set xtics (0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 3.2)
 set xrange [0.025:3.5]; set yrange [0.5:3]
 set xlabel "w dt of the contact" offset 0, 0.4
-set multiplot layout 1, 2 margins 0.085, 0.985, 2.9 / height, 1 - 0.8 / height spacing 0.07, 0
+set multiplot layout 1, 2 margins 0.1, 0.985, 2.9 / height, 1 - 0.8 / height spacing 0.07, 0
 unset key
 of(scheme, value) = strcol("map") eq "contact" && strcol("scheme") eq scheme ? value : NaN
 set ylabel "speed after / speed before" offset 1, 0

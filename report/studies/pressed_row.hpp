@@ -1,22 +1,21 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "common/simulation/simulation.hpp"
-#include "report/studies/work_precision.hpp"
 
 namespace clapotis::studies {
 
-/// Discs in a row between two immovable ones, each contact pressed in by `row_overlap`, with small kicks
-/// along the row that open none: a chain of springs that nothing but the air damps. No scene has it, so that
-/// one is made of scene stage2/pair, whose weight, walls and speeds are out of the way.
-std::unique_ptr<Simulation> pressed_row(int discs, const Values& values);
+/// Discs in a row between two immovable ones, each contact pressed in by 1 px, with kicks along the row that
+/// are too small to open one: a chain of springs that nothing but the air damps. No scene has it, so that it
+/// is made of stage2/pair, whose weight and walls are out of the way; `values` are for that scene.
+std::unique_ptr<Simulation> pressed_row(int discs,
+                                        const std::vector<std::pair<std::string, std::string>>& values);
 
-inline constexpr double row_overlap = 1;  ///< [px]
-inline constexpr double row_kick = 0.2;   ///< largest speed at the start [px/s]
-
-/// Of a chain of `discs` masses m between two walls, by springs k: the highest frequency, and the lowest.
+/// The highest frequency of such a chain, of masses m and springs k [rad/s].
 double highest_frequency(int discs, double stiffness, double mass);
-double lowest_frequency(int discs, double stiffness, double mass);
 
 }  // namespace clapotis::studies
