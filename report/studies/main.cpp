@@ -7,6 +7,9 @@ int main(int argc, char** argv) {
   using namespace clapotis::studies;
   const std::array studies{
       orders(),
+      handout_errata(),
+      work_precision_sph(),
+      dam_break(),
   };
   return run_studies(studies, argc, argv);
 }
