@@ -26,15 +26,15 @@ plot for [k = 1:4] csv using "T":(ours(word(resolutions, k) + 0, column("front")
 
 set title "Pressure on the foot of the far wall"
 set ylabel "p / ρ_0 g a"
-set xrange [2:8]; set yrange [0:*]; set ytics autofreq
+set xrange [2:8]; set yrange [0:*]; set ytics 2
 at_rest = 0.5 - 0.1  # water 2 a x a in a tank of 4 a, seen from 0.1 a above its floor
 plot at_rest with lines linecolor rgb "#909090" linewidth 1, \
   for [k = 1:4] csv using "T":(ours(word(resolutions, k) + 0, column("wall_pressure"))) with lines linetype 5 - k \
     linewidth 1.3
 
-set title "Energy"
+set title sprintf("Energy, a/dx = %g", finest)
 set ylabel "energy / start"
-set xrange [0:8]; set yrange [0:1.05]
+set xrange [0:8]; set yrange [0:1.05]; set ytics 0.2
 set label 1 "potential" at 1, 0.93 left textcolor rgb blue font ",9"
 set label 2 "kinetic" at 3.4, 0.74 center textcolor rgb orange font ",9"
 set label 3 "dissipated" at 5, 0.09 center textcolor rgb green font ",9"
@@ -46,7 +46,7 @@ plot csv using "T":(ours(finest, column("potential"))) with lines linetype 1, \
 unset label
 set title "Drift of the total energy"
 set ylabel "|drift| / start"
-eval(logarithmic_y); set yrange [1e-8:1e-2]
+eval(logarithmic_y); set yrange [1e-8:1e-2]; set ytics 10
 plot for [k = 1:4] csv using "T":(abs(ours(word(resolutions, k) + 0, column("drift")))) with lines linetype 5 - k \
   linewidth 1.3
 

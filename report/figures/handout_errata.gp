@@ -33,7 +33,7 @@ set xrange [0:0.03]
 eval(curves("3"))
 
 set title "4  viscosity from i to j"; set ylabel "dissipated / start"
-set yrange [1e-10:1e-4]; set ytics 1e2
+set yrange [1e-16:1e-4]; set ytics 1e4
 set xrange [0:0.03]
 eval(curves("4"))
 
@@ -60,7 +60,7 @@ eval(curves("7"))
 
 set title "8  a sum up to the surface"; set ylabel "error of pressure"
 set yrange [1e-3:100]; set xtics 1
-set label 1 "p ≥ 0" at graph 0.97, 0.58 right font ",9" textcolor rgb yellow
+set label 1 "p ≥ 0" at graph 0.5, 0.3 center font ",9" textcolor rgb yellow
 set xrange [0:2]
 eval(curves("8"))
 unset label

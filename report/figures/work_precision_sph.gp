@@ -2,7 +2,8 @@
 # Dotted: PySPH as it was measured before, at R/dx = 20, 40, 80.
 width = 16; height = 15
 load "report/figures/style.gp"
-families = "resolution kernel h/dx density integrator CFL"
+set datafile missing NaN  # lines go on past the rows of others
+families = "resolution kernel h/dx density integrator CFL c"
 ours(case, value) = strcol("case") eq case && strcol("varied") ne "PySPH" ? value : NaN
 family(case, name, value) = strcol("case") eq case && strcol("varied") eq name ? value : NaN
 peer(setting, value) = strcol("varied") eq "PySPH" && strcol("setting") eq setting ? value : NaN
@@ -22,35 +23,31 @@ unset key
 set tics font ",9"
 set title offset 0, -0.4; set ylabel offset 1, 0
 number(k) = real(word(strcol(1), k))
-front = "with steps linecolor rgb '#B8B8B8' linewidth 5"
+front(block) = sprintf("%s using (number(1)):(least = (number(2) < least ? number(2) : least)) \
+  with steps linecolor rgb '#B8B8B8' linewidth 5", block)
 marks(case, what) = sprintf("for [k = 1:words(families)] csv using \
   (family('%s', word(families, k), column('cpu'))):'%s' with points linetype k pointsize 0.7", case, what)
 default(case, what) = sprintf("csv using (family('%s', 'resolution', column('cpu'))): \
-  (family('%s', 'resolution', column('%s'))) smooth unique with lines linetype 1", case, case, what)
+  (family('%s', 'resolution', column('%s'))) with lines linetype 1", case, case, what)
 peers(what) = sprintf("csv using (peer('measured here', column('cpu'))):'%s' with linespoints \
   linecolor rgb 'black' pointtype 2 pointsize 0.9 linewidth 1.6", what)
 published(what) = sprintf("csv using (1e-9):(peer('as published', column('%s'))):(1e9):(0) with vectors nohead \
   linecolor rgb '#909090' linewidth 0.8 dashtype 3", what)
 
+panel(case, what, block, others) = "least = 1e9; plot " . front(block) . ", " . others . default(case, what) . ", " . \
+  marks(case, what)
+
 set xrange [0.003:1000]; set yrange [1e-3:0.1]
 set title "Elliptical drop: semi-axis b"; set ylabel "largest relative error"
-least = 1e9
-eval("plot $b using (number(1)):(least = (number(2) < least ? number(2) : least)) " . front . ", " . published("b_largest") . ", " . \
-  default("elliptical drop", "b_largest") . ", " . marks("elliptical drop", "b_largest") . ", " . peers("b_largest"))
+eval(panel("elliptical drop", "b_largest", "$b", published("b_largest") . ", " . peers("b_largest") . ", "))
 set title "Elliptical drop: kinetic energy"; set yrange [1e-3:1]
-least = 1e9
-eval("plot $energy using (number(1)):(least = (number(2) < least ? number(2) : least)) " . front . ", " . published("energy_largest") . ", " . \
-  default("elliptical drop", "energy_largest") . ", " . marks("elliptical drop", "energy_largest") . ", " . \
-  peers("energy_largest"))
+eval(panel("elliptical drop", "energy_largest", "$energy", published("energy_largest") . ", " . \
+  peers("energy_largest") . ", "))
 set title "Still water: pressure"; set ylabel "largest L_2 error / L_2"
 set xrange [0.05:100]; set yrange [1e-3:1]
-least = 1e9
-eval("plot $pressure using (number(1)):(least = (number(2) < least ? number(2) : least)) " . front . ", " . \
-  default("still water", "pressure_largest") . ", " . marks("still water", "pressure_largest"))
+eval(panel("still water", "pressure_largest", "$pressure", ""))
 set title "Still water: motion"; set ylabel "largest speed / √(gH)"
-least = 1e9
-eval("plot $speed using (number(1)):(least = (number(2) < least ? number(2) : least)) " . front . ", " . \
-  default("still water", "speed_largest") . ", " . marks("still water", "speed_largest"))
+eval(panel("still water", "speed_largest", "$speed", ""))
 
 eval(shared_key)
 set tmargin at screen 1.6 / height

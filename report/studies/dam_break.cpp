@@ -116,8 +116,8 @@ double at(const Table& table, const std::vector<Row>& rows, std::string_view col
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// By how much a front leads an experiment, in a: the mean over the instants at which the peer's is known
-/// too, as far as the experiment has readings.
+/// By how much a front (ours is the edge of the foremost particle, PySPH's its centre) leads an experiment,
+/// in a: the mean over the instants at which the peer's is known too, as far as the experiment has readings.
 double lead(const FrontExperiment& experiment, const std::function<double(double)>& front) {
   double sum = 0, count = 0;
   for (const auto& each : pysph::fronts) {
