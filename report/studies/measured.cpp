@@ -104,4 +104,26 @@ std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const st
   return front;
 }
 
+Cost watched_cost(const std::string& text, double until, int times,
+                  const std::function<void(Simulation&)>& watch) {
+  Cost cost;
+  bool watched = false;
+  cost.seconds = timed(times, [&] {
+    const auto run = simulation(text);
+    const double start = processor_seconds();
+    double looked = 0;
+    advance(*run, until, [&](Simulation& s) {
+      if (watched) return;
+      const double before = processor_seconds();
+      watch(s);
+      looked += processor_seconds() - before;
+    });
+    watched = true;
+    cost.steps = run->steps();
+    cost.evaluations = run->system().force_evaluations;
+    return processor_seconds() - start - looked;
+  });
+  return cost;
+}
+
 }  // namespace clapotis::studies

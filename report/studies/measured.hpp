@@ -57,4 +57,8 @@ PowerLaw power_law(const std::vector<double>& x, const std::vector<double>& y);
 /// Of pairs (cost, error): those that no other one beats in both, from the cheapest on.
 std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
 
+/// The same as `cost_until`, and in the first of the runs `watch` sees each step, while the clock stands.
+Cost watched_cost(const std::string& text, double until, int times,
+                  const std::function<void(Simulation&)>& watch);
+
 }  // namespace clapotis::studies
