@@ -1,6 +1,7 @@
 // The diagram of the core's classes in the report. It cannot go stale: a box is a type, whose name the
 // compiler gives, and an arrow is an expression that must compile. What is renamed is renamed here or does
-// not compile; a relation that is gone does not compile either.
+// not compile; a relation that is gone does not compile either. Of calls it is seen only that they are
+// possible.
 //
 //   class_diagram FILE.pdf
 
@@ -50,8 +51,7 @@
 namespace clapotis {
 namespace {
 
-// ---- Types: the boxes
-// ----------------------------------------------------------------------------------------
+// ---- Types: the boxes ----
 
 /// Stands for a free function.
 template <auto function>
@@ -113,8 +113,7 @@ template <class T>
 requires requires { typename T::value_type; }
 struct Bare<T> : Bare<BareOf<typename T::value_type>> {};
 
-// ---- Expressions: the arrows
-// -------------------------------------------------------------------------------
+// ---- Expressions: the arrows ----
 
 enum class Kind { gives, takes, derives };
 struct Arrow {
@@ -216,8 +215,7 @@ std::vector<Arrow> arrows_of_simulation() {
   };
 }
 
-// ---- Laws: which hooks each has
-// ------------------------------------------------------------------------------
+// ---- Laws: which hooks each has ----
 
 struct LawLine {
   std::string name, hooks;
@@ -254,8 +252,7 @@ std::vector<LawLine> laws_of() {
   return law_lines(std::type_identity<typename PartsOf<Model>::Laws>{});
 }
 
-// ---- Places
-// --------------------------------------------------------------------------------------------------
+// ---- Places ----
 
 constexpr Point sheet_size{454, 292};  // points: 16 cm wide
 constexpr double text_height = 7.6, small_text = 6.6, line_height = 8.8, box_width = 66;
@@ -335,8 +332,7 @@ std::pair<double, double> ends(const Stretch& a, const Stretch& b, double inside
                         : std::pair(a.from + inside, b.to - inside);
 }
 
-// ---- Painting
-// ------------------------------------------------------------------------------------------------
+// ---- Painting ----
 
 const Colour arrow_colour = ink::translucent(ink::text, 0.75F);
 
