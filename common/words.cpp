@@ -235,7 +235,7 @@ constexpr Words english{
     .help_vtk =
         "also write all particles to vtk/NNNN.vtu at this interval [s], and vtk.pvd, which ParaView opens",
     .help_picture = "also write a picture here, .png, .svg or .pdf",
-    .help_video = "also make a film of the run, which needs ffmpeg",
+    .help_video = "also make a film, which needs ffmpeg",
     .help_video_every =
         "simulated time between two frames of it, 30 of which last a second [s]; otherwise in real time, "
         "but from 5 to 60 seconds long",

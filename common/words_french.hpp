@@ -246,7 +246,7 @@ inline constexpr Words french{
         "écrire aussi toutes les particules dans vtk/NNNN.vtu, à cet intervalle [s], et vtk.pvd, que "
         "ParaView ouvre",
     .help_picture = "écrire aussi une image ici, .png, .svg ou .pdf",
-    .help_video = "faire aussi un film du calcul, ce qui demande ffmpeg",
+    .help_video = "faire aussi un film, ce qui demande ffmpeg",
     .help_video_every =
         "temps simulé entre deux de ses images, dont 30 durent une seconde [s] ; sinon en temps réel, mais "
         "de 5 à 60 secondes",

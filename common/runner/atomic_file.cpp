@@ -25,6 +25,12 @@ std::filesystem::path part_of(const std::filesystem::path& path) {
   return part;
 }
 
+void check_place(const std::filesystem::path& file) {
+  const auto folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder)) refuse_file(words().cannot_write, file, ENOENT);
+  if (std::filesystem::is_directory(file)) refuse_file(words().cannot_write, file, EISDIR);
+}
+
 void refuse_file(std::string_view sentence, const std::filesystem::path& path, int error_number) {
   throw FileError(say(sentence, fmt::arg("file", path.string()),
                       fmt::arg("reason", called(std::generic_category().message(error_number)))));

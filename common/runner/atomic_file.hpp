@@ -42,6 +42,10 @@ std::filesystem::path part_of(const std::filesystem::path& path);
 /// Writes a whole file at once.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Throws FileError where no file of that name can be made: its folder is not there, or it is a folder
+/// itself. Asked before a long run, not after it.
+void check_place(const std::filesystem::path& file);
+
 /// Throws FileError with the file's name and the reason for `error_number` (errno).
 [[noreturn]] void refuse_file(std::string_view sentence, const std::filesystem::path& path, int error_number);
 

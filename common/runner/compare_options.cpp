@@ -45,7 +45,7 @@ void assign(SideOptions& side, const std::string& assignment) {
 /// What the words of the command line are, before they are understood.
 struct Raw {
   std::vector<std::string> sides;
-  std::string until, steps, every, out, lang;
+  std::string until, steps, every, out, video, video_every, lang;
 };
 
 void understand(CompareOptions& options, const Raw& raw, const CLI::App& app) {
@@ -55,12 +55,20 @@ void understand(CompareOptions& options, const Raw& raw, const CLI::App& app) {
   if (app.count("--steps") > 0)
     options.steps = option_count("steps", raw.steps, {.low = 1, .high = step_range.high});
   if (app.count("--every") > 0) options.every = option_number("every", raw.every, positive);
-  if (app.count("--out") == 0) return;
-  if (raw.out.empty()) throw BadInput(say(words().empty_value, fmt::arg("option", "--out")));
-  options.out = raw.out;
+  if (app.count("--video-every") > 0)
+    options.video_every = option_number("video-every", raw.video_every, positive);
+  const auto file = [&](const char* option, const std::string& text) {
+    if (app.count(option) == 0) return std::optional<std::filesystem::path>();
+    if (text.empty()) throw BadInput(say(words().empty_value, fmt::arg("option", option)));
+    return std::optional<std::filesystem::path>(text);
+  };
+  options.out = file("--out", raw.out);
+  options.video = file("--video", raw.video);
+  check_video(options.video, options.video_every);
 }
 
-const std::vector<std::string> with_value{"--until", "--steps", "--every", "--out", "--lang"},
+const std::vector<std::string> with_value{"--until", "--steps",       "--every", "--out",
+                                          "--video", "--video-every", "--lang"},
     without_value{"--force", "--json", "--quiet", "--help"};
 
 void refuse_unknown(const CLI::App& app) {
@@ -114,6 +122,12 @@ CompareOptions read_compare_options(std::span<const Stage> stages, int argc, con
   app.add_option("--every", raw.every, std::string(w.help_compare_every))->type_name("DT")->take_last();
   app.add_option("--out", raw.out, std::string(w.help_compare_out))
       ->type_name(std::string(called("DIR")))
+      ->take_last();
+  app.add_option("--video", raw.video, std::string(w.help_video))
+      ->type_name(std::string(called("FILE.mp4")))
+      ->take_last();
+  app.add_option("--video-every", raw.video_every, std::string(w.help_video_every))
+      ->type_name("DT")
       ->take_last();
   app.add_option("--lang", raw.lang, std::string(w.help_lang))->type_name("en|fr")->take_last();
   app.add_flag("--force", options.force, std::string(w.help_force));

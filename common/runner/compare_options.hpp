@@ -25,6 +25,8 @@ struct CompareOptions {
   std::optional<double> until, every;
   std::optional<long> steps;
   std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> video;  ///< .mp4
+  std::optional<double> video_every;           ///< simulated time between two of its frames [s]
   bool force = false, json = false, quiet = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "common/runner/ticks.hpp"
@@ -104,6 +105,16 @@ Picture describe_side(Side& side, const std::string& what, Colour mark, const Vi
   picture.mark = mark;
   if (side.divergence) picture.alarm = side.divergence->what();
   return picture;
+}
+
+void share_colours(Picture& left_picture, Picture& right_picture, const Side& left, const Side& right) {
+  auto &l = left_picture.colours, &r = right_picture.colours;
+  if (!left.runs()) std::tie(l.lo, l.hi) = std::pair(r.lo, r.hi);
+  if (left.runs() && right.runs()) {
+    l.lo = std::min(l.lo, r.lo);
+    l.hi = std::max(l.hi, r.hi);
+  }
+  r = l;
 }
 
 Beside beside(const Side& left, const Side& right, Picture right_picture, double time) {

@@ -140,7 +140,7 @@ std::string compare_row(const Comparison& comparison, const Side& left, const Si
 }
 
 std::string compare_manifest(const Comparison& comparison, const Side& left, const Side& right,
-                             std::string_view stop_reason) {
+                             std::string_view stop_reason, const std::vector<std::string>& warnings) {
   Json json;
   json["left"] = side_json(left);
   json["right"] = side_json(right);
@@ -158,12 +158,12 @@ std::string compare_manifest(const Comparison& comparison, const Side& left, con
   json["simulated_seconds"] = comparison.time();
   json["stop_reason"] = stop_reason;
   json["units"] = units_json(left);
-  json["warnings"] = compare_warnings(comparison, left, right);
+  json["warnings"] = warnings;
   return json.dump(2) + "\n";
 }
 
 std::string compare_summary(const std::filesystem::path& folder, const Comparison& comparison,
-                            const Side& left, const Side& right) {
+                            const Side& left, const Side& right, const std::vector<std::string>& warnings) {
   const auto& w = words();
   const auto& d = comparison.largest();
   const auto& unit = left.simulation->scene().length_unit;
@@ -181,8 +181,7 @@ std::string compare_summary(const std::filesystem::path& folder, const Compariso
                 fmt::arg("time", short_number(d.time)), fmt::arg("particle", d.particle));
   text += say(w.compare_ratio, fmt::arg("cpu", short_number(right.cpu_seconds / left.cpu_seconds)),
               fmt::arg("step", short_number(per_step(right) / per_step(left))));
-  for (const auto& warning : compare_warnings(comparison, left, right))
-    text += say(w.summary_warning, fmt::arg("warning", warning));
+  for (const auto& warning : warnings) text += say(w.summary_warning, fmt::arg("warning", warning));
   return text;
 }
 

@@ -13,13 +13,13 @@ namespace clapotis {
 std::string compare_row(const Comparison& comparison, const Side& left, const Side& right);
 std::string compare_header();
 
-/// compare.json: both sides, their difference, the ratio of their cost.
+/// compare.json: both sides, their difference, the ratio of their cost; `warnings` are whole sentences.
 std::string compare_manifest(const Comparison& comparison, const Side& left, const Side& right,
-                             std::string_view stop_reason);
+                             std::string_view stop_reason, const std::vector<std::string>& warnings);
 
 /// The same on some lines, for the terminal.
 std::string compare_summary(const std::filesystem::path& folder, const Comparison& comparison,
-                            const Side& left, const Side& right);
+                            const Side& left, const Side& right, const std::vector<std::string>& warnings);
 
 /// Sentences about what limits the comparison.
 std::vector<std::string> compare_warnings(const Comparison& comparison, const Side& left, const Side& right);

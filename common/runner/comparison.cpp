@@ -11,6 +11,8 @@
 namespace clapotis {
 namespace {
 
+constexpr double rounding = 1e-6;  ///< share of a step by which an instant may be missed
+
 /// How many numbers a side may note before the other catches up.
 constexpr Index most_noted = 1 << 20;
 
@@ -44,6 +46,12 @@ double Side::cost() const {
 double Side::energy_drift() const {
   const double start = history.first().energy.total();
   return (history.latest().energy.total() - start) / (start == 0 ? 1 : std::abs(start));
+}
+
+double time_of_both(const Side& left, const Side& right) {
+  const double l = left.simulation->time(), r = right.simulation->time();
+  if (left.runs() == right.runs()) return left.runs() ? std::min(l, r) : std::max(l, r);
+  return left.runs() ? l : r;
 }
 
 Difference distances(const Vectors& left, const Vectors& right, double time) {
@@ -92,15 +100,15 @@ void Comparison::reconsider() {
   rows_.serve(std::max(a.time(), b.time()), dt);
 }
 
-bool Comparison::advance() {
+Comparison::Piece Comparison::advance_to(double target) {
   const Index numbers = 2 * std::max<Index>(1, left_.side->simulation->particles().size());
   const long most = together_ ? std::max<Index>(1, most_noted / numbers) : std::numeric_limits<long>::max();
   const auto allows = [] { return !Interrupt::asked(); };
   while (allows()) {
-    const auto piece = advance_a_piece(std::numeric_limits<double>::infinity(), most, allows);
-    if (piece != Piece::steps) return piece == Piece::row;
+    const auto piece = advance_a_piece(target, most, allows);
+    if (piece != Piece::steps) return piece;
   }
-  return false;
+  return Piece::nothing;
 }
 
 Comparison::Piece Comparison::advance_a_piece(double target, long most, const Allows& allows) {
@@ -126,7 +134,6 @@ Comparison::Piece Comparison::advance_a_piece(double target, long most, const Al
 double Comparison::instant() const { return std::min(rows_.next(), until_); }
 
 bool Comparison::may_step(const Trace& trace, double target) const {
-  constexpr double rounding = 1e-6;  // share of a step
   const auto& s = *trace.side->simulation;
   return trace.side->runs() && !trace.at_row && s.time() < until_ &&
          s.time() + (1 - rounding) * s.dt() <= target;
@@ -197,7 +204,20 @@ Comparison::Piece Comparison::finish_row() {
     if (trace->side->runs()) trace->side->history.add(*trace->side->simulation);
   }
   stepped_ = false;
+  wait_at_end();
   return Piece::row;
+}
+
+/// A step that has passed the row may have brought a side to the end already: the end is compared, too.
+void Comparison::wait_at_end() {
+  if (together_) return;
+  for (auto* trace : {&left_, &right_}) {
+    const auto& s = *trace->side->simulation;
+    if (!trace->side->runs() || s.time() < until_ || time_ + rounding * s.dt() >= until_) continue;
+    note_instant(*trace);
+    stepped_ = true;
+  }
+  match();
 }
 
 }  // namespace clapotis

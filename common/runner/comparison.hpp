@@ -33,6 +33,9 @@ struct Side {
   [[nodiscard]] double energy_drift() const;
 };
 
+/// Where the side is that is behind, of those that go on [s].
+[[nodiscard]] double time_of_both(const Side& left, const Side& right);
+
 /// How far apart the particles of the two sides are, each id with the same id [L].
 struct Difference {
   double time = 0;
@@ -54,9 +57,12 @@ class Comparison {
   Comparison(Side& left, Side& right, double until, double interval);
 
   /// Goes on to the next row; false when both sides have reached the end or can go no further.
-  bool advance();
+  bool advance() { return advance_to(std::numeric_limits<double>::infinity()) == Piece::row; }
 
   enum class Piece { nothing, steps, row };
+  /// Goes on to the next row, or, before it, until no step is left that does not go beyond `target` [s]:
+  /// `nothing` then.
+  Piece advance_to(double target);
   using Allows = std::function<bool()>;
   /// A bounded piece of that: the side that is behind takes from one to `most` steps, none of them beyond
   /// `target` [s], and no second one unless `allows`; or, where both have reached it, the row. `nothing` when
@@ -101,6 +107,7 @@ class Comparison {
   void note_instant(Trace& trace) const;
   void match();
   Piece finish_row();
+  void wait_at_end();
 
   Trace left_, right_;
   double until_, interval_, diagonal_;

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "common/runner/sheet.hpp"
+#include "common/simulation/errors.hpp"
 
 namespace clapotis {
 namespace {
@@ -64,6 +65,7 @@ void Film::paint_waiting(const Told& painted) {
   for (auto& shot : waiting_) {
     auto& [label, unit, lo, hi, map] = shot.picture.colours;
     if (waits_) std::tie(lo, hi) = range_.follow(lo, hi);
+    if (shot.beside) shot.beside->right.colours = shot.picture.colours;
     paint(shot);
     painted(static_cast<double>(&shot - waiting_.data() + 1) / static_cast<double>(waiting_.size()));
   }
@@ -89,6 +91,26 @@ void Film::finish(const Told& painted) {
 
 double Film::seconds() const {
   return static_cast<double>(frames_) / static_cast<double>(VideoFile::frames_per_second);
+}
+
+void WantedFilm::attempt(const std::function<void(Film&)>& act) {
+  if (!film_) return;
+  try {
+    act(*film_);
+  } catch (const FileError& error) {
+    failure_ = error.what();
+    film_.reset();
+  }
+}
+
+void WantedFilm::add(Picture picture, std::vector<Plot> plots, double time, double dt,
+                     std::optional<Beside> beside) {
+  attempt([&](Film& film) { film.add(std::move(picture), std::move(plots), time, dt, std::move(beside)); });
+}
+
+void WantedFilm::finish(const Film::Told& painted) {
+  attempt([&](Film& film) { film.finish(painted); });
+  film_.reset();
 }
 
 }  // namespace clapotis

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/runner/cairo_canvas.hpp"
@@ -26,6 +28,7 @@ class Film {
 
   /// Whether the state at `time` is to be in it; `dt` is the step that goes on from it.
   [[nodiscard]] bool due(double time, double dt) const { return time + rounding * dt >= next_; }
+  [[nodiscard]] double next() const { return next_; }  ///< the time of the next frame [s]
   /// Shows it, for as many frames as have become due. Throws FileError when ffmpeg is gone.
   void add(Picture picture, std::vector<Plot> plots, double time, double dt,
            std::optional<Beside> beside = {});
@@ -57,6 +60,32 @@ class Film {
   std::size_t waiting_bytes_ = 0;
   ColourRange range_;
   long frames_ = 0;
+};
+
+/// The film of a run, where one is wanted, in one range of colours. When ffmpeg gives up, why is kept, and
+/// the run goes on without it.
+class WantedFilm {
+ public:
+  /// Throws FileError as Film does.
+  void begin(std::filesystem::path file, double start, double interval) {
+    film_.emplace(std::move(file), start, interval, Film::Colours::one_for_all);
+  }
+  /// As of Film; without one, nothing is due ever.
+  [[nodiscard]] bool due(double time, double dt) const { return film_ && film_->due(time, dt); }
+  [[nodiscard]] double next() const {
+    return film_ ? film_->next() : std::numeric_limits<double>::infinity();
+  }
+  void add(Picture picture, std::vector<Plot> plots, double time, double dt,
+           std::optional<Beside> beside = {});
+  void finish(const Film::Told& painted);
+  /// Why there is none although it was wanted; empty otherwise.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
+ private:
+  void attempt(const std::function<void(Film&)>& act);
+
+  std::optional<Film> film_;
+  std::string failure_;
 };
 
 /// Simulated time between two frames when nobody says [s]: in real time, but a film lasts from 5 to 60

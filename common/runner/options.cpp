@@ -202,10 +202,7 @@ void apply_files(Options& options, const Arguments& arguments) {
   options.picture = find("picture");
   options.save = find("save");
   options.video = find("video");
-  if (options.video && options.video->extension() != ".mp4")
-    refuse(words().video_extension, fmt::arg("file", options.video->string()));
-  if (options.video_every && !options.video)
-    refuse(words().option_without, fmt::arg("option", "--video-every"), fmt::arg("other", "--video"));
+  check_video(options.video, options.video_every);
   if (!options.picture) return;
   try {
     static_cast<void>(picture_format(*options.picture));
@@ -262,6 +259,13 @@ Options understand(const Stage& stage, const Arguments& arguments) {
 }
 
 }  // namespace
+
+void check_video(const std::optional<std::filesystem::path>& video, const std::optional<double>& every) {
+  if (video && video->extension() != ".mp4")
+    refuse(words().video_extension, fmt::arg("file", video->string()));
+  if (every && !video)
+    refuse(words().option_without, fmt::arg("option", "--video-every"), fmt::arg("other", "--video"));
+}
 
 Command read_command_line(const Stage& stage, int argc, const char* const* argv) {
   const auto arguments = sort_arguments(stage, argc, argv);

@@ -61,6 +61,10 @@ struct Command {
 /// the scene.
 Command read_command_line(const Stage& stage, int argc, const char* const* argv);
 
+/// Throws BadInput for a video whose name does not end in .mp4, and for the time between its frames where
+/// there is none.
+void check_video(const std::optional<std::filesystem::path>& video, const std::optional<double>& every);
+
 /// Until when a run goes for which nobody said it [s].
 inline constexpr double default_until = 5;
 

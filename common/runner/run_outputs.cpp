@@ -1,28 +1,15 @@
 #include "common/runner/run_outputs.hpp"
 
-#include <cerrno>
-
 #include "common/runner/atomic_file.hpp"
 #include "common/runner/describe.hpp"
 #include "common/runner/particle_table.hpp"
 #include "common/runner/save_sheet.hpp"
-#include "common/simulation/errors.hpp"
-#include "common/words.hpp"
 
 namespace clapotis {
-namespace {
-
-void check_place(const std::optional<std::filesystem::path>& file) {
-  if (!file) return;
-  const auto folder = file->has_parent_path() ? file->parent_path() : ".";
-  if (!std::filesystem::is_directory(folder)) refuse_file(words().cannot_write, *file, ENOENT);
-  if (std::filesystem::is_directory(*file)) refuse_file(words().cannot_write, *file, EISDIR);
-}
-
-}  // namespace
 
 void check_files(const Options& options) {
-  for (const auto* file : {&options.picture, &options.video, &options.save}) check_place(*file);
+  for (const auto* file : {&options.picture, &options.video, &options.save})
+    if (*file) check_place(**file);
   if (options.video) require_encoder(*options.video);
 }
 
@@ -38,18 +25,17 @@ RunOutputs::RunOutputs(const Stage& stage, const Options& options, Simulation& s
       vtk_times_(options.vtk.value_or(0)),
       series_(folder_.file("series.csv"), simulation) {
   if (options.video)
-    film_.emplace(*options.video, simulation.time(),
-                  options.video_every.value_or(usual_film_interval(length)), Film::Colours::one_for_all);
+    film_.begin(*options.video, simulation.time(), options.video_every.value_or(usual_film_interval(length)));
   record();
   if (options_.frames) write_frame();
   if (options_.vtk) write_vtk();
-  shoot();
+  if (options_.video) shoot();
 }
 
 bool RunOutputs::due() const {
   const double time = simulation_.time(), dt = simulation_.dt();
   return rows_.due(time, dt) || (options_.frames && frames_.due(time, dt)) ||
-         (options_.vtk && vtk_times_.due(time, dt)) || (film_ && film_->due(time, dt));
+         (options_.vtk && vtk_times_.due(time, dt)) || film_.due(time, dt);
 }
 
 void RunOutputs::write_due() {
@@ -57,17 +43,14 @@ void RunOutputs::write_due() {
   if (rows_.due(time, dt)) record();
   if (options_.frames && frames_.due(time, dt)) write_frame();
   if (options_.vtk && vtk_times_.due(time, dt)) write_vtk();
-  if (film_ && film_->due(time, dt)) shoot();
+  if (film_.due(time, dt)) shoot();
 }
 
 void RunOutputs::finish(const Film::Told& painted) {
   if (last_recorded_ != simulation_.steps()) record();
   series_.close();
   if (options_.vtk) vtk_.close();
-  with_film([&] {
-    film_->finish(painted);
-    film_.reset();
-  });
+  film_.finish(painted);
 }
 
 void RunOutputs::record() {
@@ -89,19 +72,7 @@ void RunOutputs::write_vtk() {
 }
 
 void RunOutputs::shoot() {
-  with_film(
-      [&] { film_->add(picture(true), plots(history_, simulation_), simulation_.time(), simulation_.dt()); });
-}
-
-template <class Act>
-void RunOutputs::with_film(const Act& act) {
-  if (!film_) return;
-  try {
-    act();
-  } catch (const FileError& error) {
-    video_failure_ = error.what();
-    film_.reset();
-  }
+  film_.add(picture(true), plots(history_, simulation_), simulation_.time(), simulation_.dt());
 }
 
 /// Speeds of discs have the range of the whole run, since all of them may rest at its end.

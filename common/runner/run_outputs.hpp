@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "common/runner/cadence.hpp"
@@ -34,16 +33,13 @@ class RunOutputs {
   [[nodiscard]] const RunFolder& folder() const { return folder_; }
   [[nodiscard]] const History& history() const { return history_; }
   /// Why there is no video, when ffmpeg gave up: the run goes on without it.
-  [[nodiscard]] const std::string& video_failure() const { return video_failure_; }
+  [[nodiscard]] const std::string& video_failure() const { return film_.failure(); }
 
  private:
   void record();
   void write_frame();
   void write_vtk();
   void shoot();
-  /// Keeps what `act` on the film could not do, and gives the film up.
-  template <class Act>
-  void with_film(const Act& act);
   [[nodiscard]] Picture picture(bool own_range) const;
 
   const Stage& stage_;
@@ -55,8 +51,7 @@ class RunOutputs {
   Series series_;
   History history_;
   VtkFiles vtk_{folder_};
-  std::optional<Film> film_;
-  std::string video_failure_;
+  WantedFilm film_;
   long last_recorded_ = -1, frame_count_ = 0;
 };
 

@@ -121,8 +121,7 @@ void SceneView::describe_curves(const WindowState& state, double width) {
     plots_ = plots(session.history(), session.simulation());
 }
 
-/// Of the left side in one half, of the right side in the other; both have one range of colours, to which a
-/// side that has diverged adds nothing.
+/// Of the left side in one half, of the right side in the other.
 void SceneView::describe_sides(WindowState& state, SideBySide& sides) {
   const auto& left = *sides.left().simulation;
   const auto what = sides.contrast();
@@ -130,12 +129,7 @@ void SceneView::describe_sides(WindowState& state, SideBySide& sides) {
                            left_colour(), state.sight.viewpoint);
   auto right =
       describe_side(sides.right(), printed_contrast(left, what), right_colour(), state.sight.viewpoint);
-  auto& colours = picture_.colours;
-  if (!sides.left().runs()) std::tie(colours.lo, colours.hi) = std::pair(right.colours.lo, right.colours.hi);
-  if (sides.left().runs() && sides.right().runs()) {
-    colours.lo = std::min(colours.lo, right.colours.lo);
-    colours.hi = std::max(colours.hi, right.colours.hi);
-  }
+  share_colours(picture_, right, sides.left(), sides.right());
   beside_ = clapotis::beside(sides.left(), sides.right(), std::move(right), sides.time());
 }
 

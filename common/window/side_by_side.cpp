@@ -146,13 +146,6 @@ SideBySide::SideBySide(const Stage& stage, std::shared_ptr<Simulation> left, Con
   distances_.add(comparison_);
 }
 
-double SideBySide::time() const {
-  double behind = endless;
-  for (const auto* side : {&left_, &right_})
-    if (side->runs()) behind = std::min(behind, side->simulation->time());
-  return std::isfinite(behind) ? behind : std::max(left_.simulation->time(), right_.simulation->time());
-}
-
 Comparison::Piece SideBySide::advance_a_piece(const Comparison::Allows& allows) {
   const auto piece = comparison_.advance_a_piece(clock_, steps_of_a_piece, allows);
   if (piece == Comparison::Piece::row) distances_.add(comparison_);

@@ -58,7 +58,7 @@ class SideBySide {
   [[nodiscard]] const Distances& distances() const { return distances_; }
   [[nodiscard]] bool runs() const { return left_.runs() || right_.runs(); }
   /// Where the side is that is behind [s].
-  [[nodiscard]] double time() const;
+  [[nodiscard]] double time() const { return time_of_both(left_, right_); }
 
  private:
   Comparison::Piece advance_a_piece(const Comparison::Allows& allows);

@@ -9,8 +9,6 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-const std::string compare = COMPARE_PROGRAM;
-
 /// What a wrong value is answered with.
 std::string refusal(std::map<std::string, std::string> environment, std::vector<std::string> arguments = {}) {
   const Scratch scratch;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/common/encoder.hpp"
 #include "tests/common/programs.hpp"
 
 // --video, with an ffmpeg of our own that keeps what it is given: none needs to be installed.
@@ -10,27 +11,6 @@
 using namespace clapotis::testing;
 using Catch::Matchers::ContainsSubstring;
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr std::size_t bytes_per_frame = 1280 * 720 * 4;
-
-/// A folder with an ffmpeg that runs `script`, to be the whole PATH; its last word is in $out.
-Start with_encoder(const Scratch& scratch, const std::string& script) {
-  fs::create_directory(scratch / "bin");
-  const auto encoder = scratch / "bin" / "ffmpeg";
-  write(encoder,
-        "#!/bin/sh\necho \"$@\" > arguments\nfor out; do :; done\nout=${out#file:}\n" + script + "\n");
-  fs::permissions(encoder, fs::perms::owner_all);
-  return {.environment = {{"PATH", (scratch / "bin").string()}}};
-}
-const std::string keeps_all = "exec /bin/cat > \"$out\"";
-
-std::string pixel(const std::string& frame, std::size_t x, std::size_t y) {
-  return frame.substr(4 * (1280 * y + x), 3);
-}
-
-}  // namespace
 
 TEST_CASE("a video shows a run at equal steps of its time, 30 frames of 1280 x 720 a second", "[video]") {
   const Scratch scratch;
@@ -40,14 +20,15 @@ TEST_CASE("a video shows a run at equal steps of its time, 30 frames of 1280 x 7
       {"bounce", "--headless", "--until", "1", "--video", "film.mp4", "--video-every", "0.1", "--out", "r"},
       start);
   require_done(ended);
-  const auto film = read(scratch / "film.mp4");
-  REQUIRE(film.size() == 11 * bytes_per_frame);  // t = 0, 0.1, ... 1
+  const Frames film(read(scratch / "film.mp4"));
+  REQUIRE(film.whole());
+  REQUIRE(film.size() == 11);  // t = 0, 0.1, ... 1
   CHECK_THAT(read(scratch / "arguments"),
              ContainsSubstring("-video_size 1280x720") && ContainsSubstring("-framerate 30"));
-  CHECK(film.substr(0, bytes_per_frame) != film.substr(10 * bytes_per_frame));
+  CHECK(film.frame(0) != film.frame(10));
   CHECK_FALSE(fs::exists(scratch / "film.mp4.part"));
   for (std::size_t k = 0; k < 11; ++k)  // the paper in a corner is painted, and nearly white
-    REQUIRE(static_cast<unsigned char>(pixel(film.substr(k * bytes_per_frame, 40), 3, 0)[0]) > 200);
+    REQUIRE(static_cast<unsigned char>(film.part(k, {3, 0, 1, 1})[0]) > 200);
 }
 
 TEST_CASE("a frame is shown as long as its step lasts: a run of few steps has a film of constant pace",
@@ -58,11 +39,10 @@ TEST_CASE("a frame is shown as long as its step lasts: a run of few steps has a 
                           "--video-every", "0.05", "--out", "r"},
                          with_encoder(scratch, keeps_all));
   require_done(ended);
-  const auto film = read(scratch / "film.mp4");
-  REQUIRE(film.size() == 9 * bytes_per_frame);  // t = 0, then two frames for each of four steps
-  const auto frame = [&](std::size_t k) { return film.substr(k * bytes_per_frame, bytes_per_frame); };
-  CHECK(frame(1) == frame(2));
-  CHECK(frame(2) != frame(3));
+  const Frames film(read(scratch / "film.mp4"));
+  REQUIRE(film.size() == 9);  // t = 0, then two frames for each of four steps
+  CHECK(film.frame(1) == film.frame(2));
+  CHECK(film.frame(2) != film.frame(3));
 }
 
 TEST_CASE("a film of a run that nobody gave a pace lasts five seconds at least", "[video]") {
@@ -71,7 +51,7 @@ TEST_CASE("a film of a run that nobody gave a pace lasts five seconds at least",
       run(scratch, stage1, {"drop", "--headless", "--until", "0.5", "--video", "film.mp4", "--out", "r"},
           with_encoder(scratch, keeps_all));
   require_done(ended);
-  CHECK(fs::file_size(scratch / "film.mp4") == 151 * bytes_per_frame);
+  CHECK(Frames(read(scratch / "film.mp4")).size() == 151);
 }
 
 TEST_CASE("colours mean the same from the first frame of a video to the last", "[video]") {
@@ -82,16 +62,9 @@ TEST_CASE("colours mean the same from the first frame of a video to the last", "
                           "film.mp4", "--video-every", "0.2", "--out", "r"},
                          with_encoder(scratch, keeps_all));
   require_done(ended);
-  const auto film = read(scratch / "film.mp4");
-  REQUIRE(film.size() == 4 * bytes_per_frame);
-  // the legend: the bar and its numbers, right of the title
-  const auto legend = [&](std::size_t k) {
-    std::string all;
-    for (std::size_t y = 0; y < 60; ++y)
-      all += film.substr(k * bytes_per_frame + 4 * (1280 * y + 800), std::size_t{4} * 470);
-    return all;
-  };
-  for (std::size_t k = 1; k < 4; ++k) CHECK(legend(k) == legend(0));
+  const Frames film(read(scratch / "film.mp4"));
+  REQUIRE(film.size() == 4);
+  for (std::size_t k = 1; k < 4; ++k) CHECK(film.part(k, legend) == film.part(0, legend));
 }
 
 TEST_CASE("without an ffmpeg a video is refused with 4 and the remedy before anything is computed",
@@ -154,7 +127,7 @@ TEST_CASE("a run that is interrupted leaves the film so far", "[video]") {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   process.send(SIGINT);
   CHECK(process.wait().code == 130);
-  const auto size = fs::file_size(scratch / "film.mp4");
-  CHECK(size >= bytes_per_frame);
-  CHECK(size % bytes_per_frame == 0);
+  const Frames film(read(scratch / "film.mp4"));
+  CHECK(film.size() >= 1);
+  CHECK(film.whole());
 }
