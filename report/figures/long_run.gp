@@ -12,8 +12,8 @@ do for [run in "'springs' 'bouncing stack' 'lattice' 'still water'"] {
   set title run offset 0, -0.5
   set xlabel (unit == 1e6 ? "steps [million]" : "steps [thousand]") offset 0, 0.4
   if (run eq "bouncing stack") {
-    set ylabel "energy error" offset 1, 0
-    eval(logarithmic_y); set ytics auto; set mytics 1
+    set ylabel "energy error" offset 0.3, 0
+    eval(logarithmic_y); set ytics 1e-8, 1e2; set mytics 1
     set key bottom right
     plot csv using (only("run", run, column("step") / unit)):(abs(column("energy_error"))) \
         with lines linetype 2 linewidth 1 title "automatic step", \
@@ -29,7 +29,7 @@ do for [run in "'springs' 'bouncing stack' 'lattice' 'still water'"] {
     span = (high - low) / 10 ** power
     step = span > 8 ? 4 : span > 4 ? 2 : span > 2 ? 1 : 0.5
     set ytics step
-    set ylabel sprintf("energy error [10^{%d}]", power) offset 1, 0
+    set ylabel sprintf("energy error [10^{%d}]", power) offset 0.3, 0
     plot 0 with lines linecolor rgb grey linewidth 0.8, \
       csv using (only("run", run, column("step") / unit)):(column("least") / 10 ** power): \
         (column("most") / 10 ** power) with filledcurves linetype 1, \

@@ -1,7 +1,7 @@
 # The largest speed in still water over very many steps: ./lab study long_run
 width = 16; height = 6.5
 load "report/figures/style.gp"
-eval(logarithmic_y)
+eval(logarithmic_y); set ytics 1e-12, 1e2; set mytics 1
 unset key
 stats csv using (column("step")) nooutput
 unit = STATS_max > 1e5 ? 1e6 : 1e3
