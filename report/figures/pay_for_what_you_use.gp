@@ -22,7 +22,7 @@ most = 1.2 * most
 duration(dummy) = itself(strcol("law")) ? base : base * column("ratio")
 bar(first) = shown(first) ? (duration(0) > most ? most : duration(0)) : NaN
 memory(first) = shown(first) ? column("bytes") : NaN
-factor(dummy) = itself(strcol("law")) ? "" : sprintf(column("ratio") < 10 ? " × %.2f" : " × %.1f", column("ratio"))
+factor(dummy) = itself(strcol("law")) ? "" : sprintf(column("ratio") < 10 ? " × %.2f" : " × %.1f", column("ratio")) . (duration(0) > most ? " (cut)" : "")
 shade(colour) = itself(strcol("law")) ? 0x8C8C8C : colour
 
 stats csv using (y = read(1)) nooutput
