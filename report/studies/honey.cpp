@@ -110,7 +110,7 @@ std::vector<Point> points(Effort effort) {
       const bool implicit = std::string_view(step) == "implicit";
       for (double part = implicit ? 0.125 : 0.0625; part <= (implicit ? 16 : 0.5); part *= 2) {
         auto channel = thick(flow, step, resolution);
-        const double h = 1.5 * channel.depth / resolution;
+        const double h = 1.5 * channel.depth / resolution;  // the scene's h/dx
         channel.dt = part * h * h / channel.nu;
         add("step", channel, to_text(channel.dt), unit * std::min(2.0, 0.125 / part));
       }
