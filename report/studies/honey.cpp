@@ -167,7 +167,7 @@ Conclusion conclude(const Table& table) {
     const auto compare = [&](std::string_view column, double most, const std::string& name) {
       const double slow = cheapest(table, runs("explicit"), column, most),
                    fast = cheapest(table, runs("implicit"), column, most);
-      fastest.rows.push_back({flow, name, rounded(slow, 2), rounded(fast, 2), rounded(slow / fast, 2)});
+      fastest.rows.push_back({flow, name, rounded(slow), rounded(fast), rounded(slow / fast, 2)});
       return slow / fast;
     };
     compare("error", 0.005, "0.5 % while it grows");
