@@ -10,18 +10,18 @@ unset key
 set xlabel "nu dt/h^2" offset 0, 0.6; set xrange [0.03:30]
 set ylabel "largest error over U" offset 0.5, 0; set yrange [1e-4:1]
 do for [flow in "couette poiseuille"] {
-  set title (flow eq "couette" ? "Couette" : "Poiseuille") . ": as it grows; dotted: steady" offset 0, -0.5
+  set title (flow eq "couette" ? "Couette" : "Poiseuille") . " (dotted: steady)" offset 0, -0.5
   plot for [k = 1:2] csv using (when("step", flow, word(kinds, k)) ? column("viscous_number") : NaN):"error" \
          with linespoints linetype k, \
        for [k = 1:2] csv using (when("step", flow, word(kinds, k)) ? column("viscous_number") : NaN):"steady_error" \
          with linespoints linetype k dashtype 3
 }
-set title "what an error costs; dotted: Poiseuille"; set xlabel "processor s per s"; set xrange [*:*]
+set title "Couette (dotted: Poiseuille)"; set xlabel "processor s per s"; set xrange [*:*]
 plot for [k = 1:2] csv using (when("step", "couette", word(kinds, k)) ? column("seconds") : NaN):"error" \
        with linespoints linetype k, \
      for [k = 1:2] csv using (when("step", "poiseuille", word(kinds, k)) ? column("seconds") : NaN):"error" \
        with linespoints linetype k dashtype 3
-set title "steps of automatic length, Couette"; set xlabel "nu [m^2/s]"; set ylabel "processor s per s"; set yrange [*:*]
+set title "Couette, dt = auto"; set xlabel "nu [m^2/s]"; set ylabel "processor s per s"; set yrange [*:*]
 plot for [k = 1:2] csv using (when("viscosity", "couette", word(kinds, k)) ? column("nu") : NaN):"seconds" \
        with linespoints linetype k
 names = "'explicit friction' 'implicit friction'"; load "report/figures/key.gp"

@@ -110,7 +110,7 @@ std::vector<Point> points(Effort effort) {
       const bool implicit = std::string_view(step) == "implicit";
       for (double part = implicit ? 0.125 : 0.0625; part <= (implicit ? 16 : 0.5); part *= 2) {
         auto channel = thick(flow, step, resolution);
-        const double h = 1.5 * channel.depth / resolution;
+        const double h = 1.5 * channel.depth / resolution;  // the scene's h/dx
         channel.dt = part * h * h / channel.nu;
         add("step", channel, to_text(channel.dt), unit * std::min(2.0, 0.125 / part));
       }
@@ -167,7 +167,7 @@ Conclusion conclude(const Table& table) {
     const auto compare = [&](std::string_view column, double most, const std::string& name) {
       const double slow = cheapest(table, runs("explicit"), column, most),
                    fast = cheapest(table, runs("implicit"), column, most);
-      fastest.rows.push_back({flow, name, rounded(slow, 2), rounded(fast, 2), rounded(slow / fast, 2)});
+      fastest.rows.push_back({flow, name, rounded(slow), rounded(fast), rounded(slow / fast, 2)});
       return slow / fast;
     };
     compare("error", 0.005, "0.5 % while it grows");
