@@ -37,7 +37,7 @@ published(what) = sprintf("csv using (1e-9):(peer('as published', column('%s')))
 panel(case, what, block, others) = "least = 1e9; plot " . front(block) . ", " . others . default(case, what) . ", " . \
   marks(case, what)
 
-set xrange [0.001:1000]
+set xrange [0.001:1000]; set yrange [1e-3:1]
 set title "Elliptical drop: semi-axis b"; set ylabel "largest relative error"
 eval(panel("elliptical drop", "b_largest", "$b", published("b_largest") . ", " . peers("b_largest") . ", "))
 set title "Elliptical drop: kinetic energy"
