@@ -1,7 +1,7 @@
 # What each printed error does, one panel each, printed against mended: ./lab study handout_errata
 width = 16; height = 16.5
 load "report/figures/style.gp"
-set multiplot layout 3, 3 margins 0.105, 0.985, 2.1 / height, 1 - 0.8 / height spacing 0.115, 2.6 / height
+set multiplot layout 3, 3 margins 0.115, 0.985, 2.1 / height, 1 - 0.8 / height spacing 0.115, 2.6 / height
 unset key
 set tics font ",8"
 wanted(number, form, value) = strcol("erratum") eq number && strcol("form") eq form ? value : NaN
@@ -14,7 +14,7 @@ curves(number) = sprintf("plot for [k = 1:4] csv using (wanted('%s', word('mende
   with points pointtype 2 pointsize 1 linewidth 2.5 linecolor rgb 'black'", number, number)
 set xlabel "t [s]" offset 0, 0.7 font ",9"
 set title offset 0, -0.5 font ",9"
-set ylabel offset 1.4, 0 font ",9"
+set ylabel offset 1, 0 font ",9"
 
 set title "1  explicit Euler: a ball"; set ylabel "energy / start"
 set yrange [0.98:*]; set xtics 20
