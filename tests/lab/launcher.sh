@@ -62,7 +62,7 @@ STUDY
 # shellcheck disable=SC2016
 stand_in class_diagram <<< ': > "$1"'
 # shellcheck disable=SC2016
-stand_in screens <<< ': > "$1/screen.png"'
+stand_in screens <<< ': > "$1/dam_break.png"'
 stand_in gnuplot <<'GNUPLOT'
 figure=${2##*figure=\'}
 : > "${figure%\'}"
