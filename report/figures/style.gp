@@ -1,5 +1,7 @@
 # What all figures share. Called with `csv` (the table of a study), `figure` (the file to draw) and, by a figure that
 # needs more room, `width` and `height` [cm]; the ending of `figure` says what is drawn: pdf, svg or png.
+if (!exists("width")) width = 16
+if (!exists("height")) height = 7.5
 set datafile separator ","
 set datafile columnheaders
 set datafile missing "nan"
@@ -37,11 +39,15 @@ schemes = "explicit_euler symplectic_euler velocity_verlet rk2 rk4"
 # Panels with titles, columns x rows, and below them room for a key that all share (key.gp).
 panels(columns, rows) = sprintf("set multiplot layout %d, %d margins 0.09, 0.98, %g, %g spacing 0.11, %g", \
   rows, columns, 2.5 / height, 1 - 0.8 / height, 2.6 / height)
-# The names of all schemes, for such a key.
+# The same where a key has other things than line types 1, 2, ...: then a last plot of NaN and keyentry, in several lines
+# if it is long (set key maxrows).
+shared_key = "set lmargin at screen 0.02; set rmargin at screen 0.98; set bmargin at screen 0; " . \
+  sprintf("set tmargin at screen %g; ", 0.8 / height) . \
+  "unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid; unset logscale; " . \
+  "set xrange [0:1]; set yrange [0:1]; set key center center horizontal maxrows 1"
+# The names of all schemes, for a key.
 scheme_names = "'explicit Euler' 'symplectic Euler' Verlet RK2 RK4"
 
-if (!exists("width")) width = 16
-if (!exists("height")) height = 7.5
 ending = figure[strlen(figure) - 2 : ]
 if (ending eq "pdf") {
   set terminal pdfcairo size width cm, height cm font "Latin Modern Roman,10" fontscale 0.9
