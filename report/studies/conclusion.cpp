@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace clapotis::studies {
@@ -39,14 +40,19 @@ std::string latex(const std::string& text) {
   char* end = nullptr;
   static_cast<void>(std::strtod(text.c_str(), &end));
   if (!text.empty() && *end == '\0') {
-    if (e == std::string::npos) return '$' + text + '$';
-    return fmt::format("${}\\cdot 10^{{{}}}$", text.substr(0, e), std::atoi(text.c_str() + e + 1));
+    if (e == std::string::npos) return "\\ensuremath{" + text + '}';
+    return fmt::format("\\ensuremath{{{}\\cdot 10^{{{}}}}}", text.substr(0, e),
+                       std::atoi(text.c_str() + e + 1));
   }
   std::string safe;
-  for (const char c : text) {
-    if (std::string_view("_%&#$^").find(c) != std::string_view::npos) safe += '\\';
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '^' && k + 1 < text.size()) {  // m^2/s
+      safe += fmt::format("\\textsuperscript{{{}}}", text[++k]);
+      continue;
+    }
+    if (std::string_view("_%&#$").find(c) != std::string_view::npos) safe += '\\';
     safe += c;
-    if (c == '^') safe += "{}";
   }
   return safe;
 }
@@ -68,6 +74,18 @@ std::string text_of(const Conclusion& conclusion) {
                         finding.unit.empty() ? "" : " ", finding.unit);
   for (const auto& table : conclusion.tables) text += text_of(table);
   return text;
+}
+
+std::string spoken(std::string_view integrator) {
+  constexpr std::array names{std::pair{"explicit_euler", "explicit Euler"},
+                             std::pair{"symplectic_euler", "symplectic Euler"},
+                             std::pair{"velocity_verlet", "Verlet"},
+                             std::pair{"rk2", "RK2"},
+                             std::pair{"rk4", "RK4"},
+                             std::pair{"bogacki_shampine", "Bogacki–Shampine"}};
+  for (const auto& [name, words] : names)
+    if (integrator == name) return words;
+  return std::string(integrator);
 }
 
 std::string latex_of(const std::string& study, const Conclusion& conclusion) {

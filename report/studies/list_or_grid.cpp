@@ -78,7 +78,8 @@ Conclusion conclude(const Table& table) {
                        const std::string& meaning) {
     found.findings.push_back({name, value, unit, meaning});
   };
-  add("crossover", rounded(crossover(list, grid), 2), "", "discs from which on the grid is faster");
+  add("crossover", fmt::format("{:.0f}", std::round(crossover(list, grid) / 5) * 5), "",
+      "discs from which on the grid is faster");
   add("list_exponent", rounded(list_law.exponent), "", "of n in a step of the list, n >= 1000");
   add("grid_exponent", rounded(grid_law.exponent), "", "of n in a step of the grid, n >= 1000");
   if (list.n.empty() || grid.n.empty()) return found;

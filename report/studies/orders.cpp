@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "report/studies/conclusion.hpp"
 #include "report/studies/measured.hpp"
 #include "report/studies/studies.hpp"
 
@@ -57,7 +58,7 @@ Conclusion conclude(const Table& table) {
   TextTable orders{.name = "orders", .header = {"scheme"}, .rows = {}};
   for (const auto& each : cases) orders.header.emplace_back(each.name);
   for (const char* scheme : schemes) {
-    orders.rows.push_back({scheme});
+    orders.rows.push_back({spoken(scheme)});
     for (const auto& each : cases) orders.rows.back().push_back(order(table, each.name, scheme));
   }
   return {.findings = {{"rk4_clamped", order(table, cases[2].name, "rk4"), "",

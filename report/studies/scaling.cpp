@@ -42,6 +42,7 @@ std::vector<Row> measure(long count, int times) {
   const auto one = dam_break(count, 1);
   const auto n = static_cast<double>(one->particles().size());
   const int steps = static_cast<int>(std::max(1.0, 2e5 / n));
+  const auto pairs = one->model().count_pairs(one->particles());
   std::vector<Row> rows;
   for (const int threads : thread_counts()) {
     const auto several = dam_break(count, threads);
@@ -53,7 +54,8 @@ std::vector<Row> measure(long count, int times) {
         turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.other < b.other; });
     auto cells = row(threads, one->particles().size(), seconds, (most->other - least->other) / seconds,
                      1e9 * seconds / n, median_of(turns, [](const Turn& t) { return 1 / t.ratio(); }),
-                     several->bytes_per_particle());
+                     several->bytes_per_particle(), static_cast<double>(pairs.candidates) / n,
+                     static_cast<double>(pairs.neighbours) / n);
     const auto parts = phases(before, several->cost(), n * steps * times);
     cells.insert(cells.end(), parts.begin(), parts.end());
     rows.push_back(std::move(cells));
@@ -107,7 +109,12 @@ Conclusion conclude(const Table& table) {
           {"exponent", rounded(law.exponent), "", "of n in the time of a step, one thread"},
           {"bytes_least", rounded(table.number(one.front(), "bytes")), "",
            "bytes of columns and model for each of the fewest particles; the walls' are in it"},
-          {"bytes_most", rounded(table.number(one.back(), "bytes")), "", "and of the most"}}};
+          {"bytes_most", rounded(table.number(one.back(), "bytes")), "", "and of the most"},
+          {"tested", rounded(table.number(one.back(), "tested"), 2), "",
+           "others tested for each, with the most"},
+          {"near", rounded(table.number(one.back(), "neighbours"), 2), "", "of these within its support"},
+          {"sorting_share", rounded(100 * table.number(one.back(), "sorting") / *(each.end() - 1), 2), "%",
+           "of a step goes into sorting, with the most"}}};
   for (const auto& threads : table.kinds("threads")) {
     if (threads == "1") continue;
     const auto gains = table.numbers(with(table, threads), "speed_up");
@@ -139,6 +146,8 @@ Study scaling() {
                  {"update", "ns per particle and step"},
                  {"speed_up", "1"},
                  {"bytes", "bytes per particle"},
+                 {"tested", "1 per particle"},
+                 {"neighbours", "1 per particle"},
                  {"sorting", "ns per particle and step"},
                  {"density", "ns per particle and step"},
                  {"acceleration", "ns per particle and step"},

@@ -6,6 +6,7 @@
 #include "common/references/spring_pair.hpp"
 #include "common/references/stability_limits.hpp"
 #include "common/simulation/errors.hpp"
+#include "report/studies/conclusion.hpp"
 #include "report/studies/measured.hpp"
 #include "report/studies/oscillator.hpp"
 #include "report/studies/pressed_row.hpp"
@@ -197,7 +198,7 @@ Conclusion conclude(const Table& table) {
   for (const char* map : maps)
     for (const char* damping : {"0", "0.1", "1"}) limits.header.push_back(std::string(map) + ' ' + damping);
   for (const char* scheme : schemes) {
-    Row line{scheme};
+    Row line{spoken(scheme)};
     for (const char* map : maps)
       for (const double damping : {0.0, 0.1, 1.0}) line.push_back(limit_at(table, map, scheme, damping));
     limits.rows.push_back(line);

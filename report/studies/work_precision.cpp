@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/runner/stopwatch.hpp"
+#include "report/studies/conclusion.hpp"
 #include "report/studies/measured.hpp"
 
 namespace clapotis::studies {
@@ -103,9 +104,9 @@ constexpr std::array wanted_errors{"1e-2", "1e-4", "1e-6", "1e-8"};
 /// For each wanted error what each scheme costs; and, as findings, the cheapest.
 Conclusion conclude(const WorkPrecision& race, const Table& table) {
   Conclusion conclusion;
-  for (const auto& [column, unit, factor] : {std::tuple{"seconds", "us", 1e6}, {"evaluations", "", 1.0}}) {
+  for (const auto& [column, unit, factor] : {std::tuple{"seconds", "µs", 1e6}, {"evaluations", "", 1.0}}) {
     TextTable costs{.name = column, .header = {"error " + race.unit}, .rows = {}};
-    for (const auto& scheme : race.lanes[0].schemes) costs.header.push_back(scheme);
+    for (const auto& scheme : race.lanes[0].schemes) costs.header.push_back(spoken(scheme));
     for (const std::string wanted : wanted_errors) {
       Row line{wanted};
       std::string best = "none", second = "none";
@@ -125,9 +126,9 @@ Conclusion conclude(const WorkPrecision& race, const Table& table) {
       costs.rows.push_back(line);
       const auto name = std::string(column) + '_' + wanted;
       const auto of = ", by " + std::string(column) + ", for an error of " + wanted + ' ' + race.unit;
-      conclusion.findings.push_back({"best_" + name, best, "", "cheapest" + of});
+      conclusion.findings.push_back({"best_" + name, spoken(best), "", "cheapest" + of});
       conclusion.findings.push_back({"cost_" + name, rounded(factor * least), unit, "its cost"});
-      conclusion.findings.push_back({"second_" + name, second, "", "next"});
+      conclusion.findings.push_back({"second_" + name, spoken(second), "", "next"});
       conclusion.findings.push_back({"ratio_" + name, rounded(next / least), "", "and how much dearer"});
     }
     conclusion.tables.push_back(costs);

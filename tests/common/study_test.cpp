@@ -75,7 +75,7 @@ TEST_CASE("a study that was stopped goes on where it was and measures nothing tw
   const auto table = left_in(scratch.path());
   REQUIRE(table.rows().size() == 3);
   CHECK(table.number(table.rows()[2], "tenth") == 0.9);
-  CHECK(testing::read(scratch.path() / "squares.tex") == "\\setval{squares/rows}{$3$}\n");
+  CHECK(testing::read(scratch.path() / "squares.tex") == "\\setval{squares/rows}{\\ensuremath{3}}\n");
   CHECK(run(study, scratch.path(), {"all"}) == 0);
   CHECK(measured.size() == 3);
 }
@@ -141,8 +141,8 @@ TEST_CASE("the report reads powers of ten and marks what TeX would take for itse
   const Conclusion found{{{"small", "4.5e-06", "m", ""}, {"word", "rk4_5 & 10%", "", ""}},
                          {{"t", {"a", "b"}, {{"x_1", "2.50"}}}}};
   CHECK(latex_of("s", found) ==
-        "\\setval{s/small}{$4.5\\cdot 10^{-6}$~m}\n\\setval{s/word}{rk4\\_5 \\& 10\\%}\n"
-        "\\setrows{s/t}{%\nx\\_1 & $2.50$ \\\\\n}\n");
+        "\\setval{s/small}{\\ensuremath{4.5\\cdot 10^{-6}}~m}\n\\setval{s/word}{rk4\\_5 \\& 10\\%}\n"
+        "\\setrows{s/t}{%\nx\\_1 & \\ensuremath{2.50} \\\\\n}\n");
 }
 
 TEST_CASE("a number that is rounded keeps the zeros that count", "[study]") {
