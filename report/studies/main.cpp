@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
       scaling(),
       long_run(),
       hard_cases(),
+      window_times(),
   };
   return run_studies(studies, argc, argv);
 }

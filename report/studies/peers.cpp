@@ -32,7 +32,7 @@ class PeerProcess {
 
  private:
   static std::string command(const std::vector<int>& resolutions) {
-    std::string text = "exec report/bench/peers/pysph_elliptical_drop.py --nx";
+    std::string text = "exec '" PEERS "/pysph_elliptical_drop.py' --nx";
     for (const int each : resolutions) text += ' ' + std::to_string(each);
     return text + " 2> /dev/null";
   }

@@ -16,7 +16,7 @@ struct PeerDrop {
 
 /// Runs PySPH's drop by report/bench/peers/pysph_elliptical_drop.py when a resolution R/dx is first asked
 /// for: all of them in one process, since it compiles for half a minute, in the given order. Nothing where
-/// PySPH is not installed. To be called from the root of the checkout, as ./lab study does.
+/// PySPH is not installed.
 std::function<std::optional<PeerDrop>(int)> run_pysph_drops(std::vector<int> resolutions);
 
 }  // namespace clapotis::studies

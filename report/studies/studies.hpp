@@ -21,5 +21,6 @@ Study pay_for_what_you_use();
 Study scaling();
 Study long_run();
 Study hard_cases();
+Study window_times();
 
 }  // namespace clapotis::studies
