@@ -6,11 +6,7 @@
 //   class_diagram FILE.pdf
 
 #include <cxxabi.h>
-#include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <concepts>
 #include <cstdio>
 #include <cstdlib>
@@ -39,11 +35,11 @@
 #include "common/runner/comparison.hpp"
 #include "common/runner/describe.hpp"
 #include "common/runner/headless.hpp"
-#include "common/runner/ink.hpp"
 #include "common/runner/run_outputs.hpp"
 #include "common/window/session.hpp"
 #include "common/window/sfml_canvas.hpp"
 #include "common/window/window.hpp"
+#include "report/class_picture.hpp"
 #include "stage2_cloud/cloud.hpp"
 #include "stage4_sph/models.hpp"
 #include "stage4_sph/scenes.hpp"
@@ -114,12 +110,6 @@ requires requires { typename T::value_type; }
 struct Bare<T> : Bare<BareOf<typename T::value_type>> {};
 
 // ---- Expressions: the arrows ----
-
-enum class Kind { gives, takes, derives };
-struct Arrow {
-  std::type_index from, to;
-  Kind kind;
-};
 
 /// The expression says how one gets the result from the argument: a member, an accessor, a function.
 template <class From, class To>
@@ -217,10 +207,6 @@ std::vector<Arrow> arrows_of_simulation() {
 
 // ---- Laws: which hooks each has ----
 
-struct LawLine {
-  std::string name, hooks;
-};
-
 template <Law L>
 LawLine law_line() {
   std::string hooks;
@@ -254,21 +240,11 @@ std::vector<LawLine> laws_of() {
 
 // ---- Places ----
 
-constexpr Point sheet_size{454, 292};  // points: 16 cm wide
-constexpr double text_height = 7.6, small_text = 6.6, line_height = 8.8, box_width = 66;
-
-/// One type, or several one below the other.
-struct Place {
-  Box box;
-  std::vector<std::string> names;
-  std::vector<std::type_index> types;
-};
-
 double column(double number) { return 2 + 76.8 * number; }
 double line_of(double number) { return 3 + 27 * number; }
 
 template <class... Types>
-Place place(double at_column, double at_line, double width = box_width) {
+Place place(double at_column, double at_line, double width = place_width) {
   std::vector<std::string> names;
   for (auto& name : {name_of<Types>()...})
     if (names.empty() || names.back() != name) names.push_back(name);
@@ -295,7 +271,7 @@ std::vector<Place> places() {
           place<Picture>(4, 2.55),
           place<Painter>(5, 2.55),
           place<Parameters>(0, 3.6),
-          place<Simulation>(1, 3.6, column(4) - column(1) + box_width),
+          place<Simulation>(1, 3.6, column(4) - column(1) + place_width),
           place<Reference>(0, 4.8),
           place<Setup>(1, 4.8),
           place<System>(2, 4.8),
@@ -311,122 +287,15 @@ std::vector<Place> places() {
           place<WendlandC2, CubicSpline>(2, 8.4)};
 }
 
-const Box& box_of(const std::vector<Place>& places, std::type_index type) {
-  for (const auto& place : places)
-    if (std::ranges::find(place.types, type) != place.types.end()) return place.box;
-  throw std::logic_error(std::string("no box for ") + type.name());
-}
-
-struct Stretch {
-  double from, to;
-};
-Stretch across(const Box& box) { return {box.corner.x, box.corner.x + box.extent.x}; }
-Stretch down(const Box& box) { return {box.corner.y, box.corner.y + box.extent.y}; }
-
-/// Where along one axis a line leaves one box and meets the other: the middle of what they share, or else
-/// near the corners that face each other, or on the sides that do.
-std::pair<double, double> ends(const Stretch& a, const Stretch& b, double inside) {
-  const double from = std::max(a.from, b.from), to = std::min(a.to, b.to);
-  if (from < to) return {(from + to) / 2, (from + to) / 2};
-  return a.to <= b.from ? std::pair(a.to - inside, b.from + inside)
-                        : std::pair(a.from + inside, b.to - inside);
-}
-
-// ---- Painting ----
-
-const Colour arrow_colour = ink::translucent(ink::text, 0.75F);
-
-void paint_head(Canvas& canvas, const Point& tip, const Point& along, bool closed) {
-  constexpr double length = 5, half_width = 2.4;
-  const auto at = [&](double back, double side) {
-    return Point{tip.x - back * along.x - side * along.y, tip.y - back * along.y + side * along.x};
-  };
-  std::vector<Point> head{at(length, half_width), tip, at(length, -half_width)};
-  if (closed) head.push_back(head.front());
-  canvas.line(head, arrow_colour, 0.7);
-}
-
-void paint_line(Canvas& canvas, const Point& from, const Point& to, Kind kind) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  const auto at = [&](double way) { return Point{from.x + way * along.x, from.y + way * along.y}; };
-  constexpr double dash = 2.2, gap = 1.6;
-  std::vector<Point> pieces;
-  if (kind == Kind::takes) {
-    for (double way = 0; way < length; way += dash + gap)
-      pieces.insert(pieces.end(), {at(way), at(std::min(way + dash, length))});
-  } else {
-    pieces = {from, kind == Kind::derives ? at(length - 5) : to};
-  }
-  canvas.segments(pieces, arrow_colour, 0.7);
-  paint_head(canvas, to, along, kind == Kind::derives);
-}
-
-void paint_arrow(Canvas& canvas, const Box& from, const Box& to, Kind kind) {
-  const auto y = ends(down(from), down(to), 0);
-  const bool beside = y.first == y.second;
-  const auto x = ends(across(from), across(to), beside ? 0 : 7);
-  paint_line(canvas, {x.first, y.first}, {x.second, y.second}, kind);
-}
-
-void paint_place(Canvas& canvas, const Place& place) {
-  ink::paper_box(canvas, place.box, ink::wall, 0.7);
-  double y = place.box.corner.y + 3 + text_height;
-  for (const auto& name : place.names) {
-    ink::fitted_text(canvas, {place.box.corner.x + place.box.extent.x / 2, y}, name, text_height,
-                     place.box.extent.x - 4, ink::text, Align::centre);
-    y += line_height;
-  }
-}
-
-/// Below each other: the laws of a model, and beside each its hooks. Returns where the table ends.
-double paint_laws(Canvas& canvas, const Point& at, const std::string& title,
-                  const std::vector<LawLine>& laws) {
-  constexpr double to_hooks = 63, law_height = 7.8;
-  const double right = column(5) + box_width;
-  canvas.text({at.x, at.y + text_height}, title, text_height, ink::text);
-  canvas.text({right, at.y + text_height}, "hooks", small_text, ink::faint_text, Align::right);
-  double y = at.y + text_height + 3;
-  canvas.segments(std::vector<Point>{{at.x, y}, {right, y}}, ink::wall, 0.5);
-  for (const auto& [name, hooks] : laws) {
-    canvas.text({at.x, y + law_height}, name, small_text, ink::text);
-    for (const auto& line : ink::broken(canvas, hooks, small_text, right - at.x - to_hooks))
-      canvas.text({at.x + to_hooks, y += law_height}, line, small_text, ink::faint_text);
-  }
-  return y;
-}
-
-void paint_key(Canvas& canvas) {
-  const double y = sheet_size.y - 6;
-  double x = column(0);
-  for (const auto& [kind, what] : {std::pair{Kind::gives, "calls, has or makes"},
-                                   std::pair{Kind::takes, "is given"}, std::pair{Kind::derives, "is a"}}) {
-    paint_line(canvas, {x, y - 2.5}, {x + 22, y - 2.5}, kind);
-    canvas.text({x + 26, y}, what, small_text, ink::text);
-    x += 40 + canvas.text_width(what, small_text);
-  }
-}
-
-void paint_arrows(Canvas& canvas, const std::vector<Place>& places) {
-  std::vector<std::tuple<const Box*, const Box*, Kind>> painted;  // types in one box have one arrow
-  for (const auto& arrows : {arrows_of_runner(), arrows_of_simulation()})
-    for (const auto& [from, to, kind] : arrows) {
-      const std::tuple arrow(&box_of(places, from), &box_of(places, to), kind);
-      if (std::ranges::find(painted, arrow) != painted.end()) continue;
-      painted.push_back(arrow);
-      paint_arrow(canvas, *std::get<0>(arrow), *std::get<1>(arrow), kind);
-    }
-}
-
 void paint_diagram(Canvas& canvas) {
-  const auto all = places();
-  paint_arrows(canvas, all);
-  for (const auto& place : all) paint_place(canvas, place);
-  const Point tables{column(4), line_of(4.85)};
-  const auto title = [](const std::string& model) { return "Laws of a " + model; };
-  const double end = paint_laws(canvas, tables, title(name_of<Discs>()), laws_of<Discs>());
-  paint_laws(canvas, {tables.x, end + 5}, title(name_of<Liquid>()), laws_of<Liquid>());
-  paint_key(canvas);
+  auto arrows = arrows_of_runner();
+  const auto inner = arrows_of_simulation();
+  arrows.insert(arrows.end(), inner.begin(), inner.end());
+  paint_boxes(canvas, places(), arrows);
+  const double end =
+      paint_laws(canvas, {column(4), line_of(4.85)}, "Laws of a " + name_of<Discs>(), laws_of<Discs>());
+  paint_laws(canvas, {column(4), end + 5}, "Laws of a " + name_of<Liquid>(), laws_of<Liquid>());
+  paint_key(canvas, column(0));
 }
 
 }  // namespace
