@@ -52,8 +52,8 @@ ending = figure[strlen(figure) - 2 : ]
 if (ending eq "pdf") {
   set terminal pdfcairo size width cm, height cm font "Latin Modern Roman,10" fontscale 0.9
 } else { if (ending eq "svg") {
-  set terminal svg size width * 50, height * 50 font "DejaVu Sans,13" background rgb "white"
+  set terminal svg size width * 50, height * 50 font "DejaVu Sans,15" background rgb "white"
 } else {
-  set terminal pngcairo size width * 75, height * 75 font "DejaVu Sans,13" background rgb "white"
+  set terminal pngcairo size width * 75, height * 75 font "DejaVu Sans,17" background rgb "white"
 } }
 set output figure
