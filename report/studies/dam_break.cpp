@@ -150,8 +150,8 @@ std::vector<Finding> findings_of(const Table& table, const std::vector<Row>& row
   found("lead_martin_large", lead(martin_moyce_1952_large, front), "a",
         "mean lead over Martin & Moyce with a = 5.72 cm", 2);
   const auto peak = largest(table, rows, "wall_pressure");
-  found("peak_pressure", table.number(peak, "wall_pressure"), "rho g a",
-        "greatest pressure on the foot of the far wall");
+  found("peak_pressure", table.number(peak, "wall_pressure"), "",
+        "greatest pressure on the foot of the far wall, over rho g a");
   found("peak_time", table.number(peak, "T"), "", "T of it");
   double drift = 0;
   for (const auto& each : rows) drift = std::max(drift, std::abs(table.number(each, "drift")));
