@@ -445,7 +445,9 @@ constexpr Words english{
             .help_force = "measure anew what is there already",
             .list = "Studies:{studies}",
             .done = "{study}: {rows} rows in {file}, {diverged} of them diverged\n",
-            .interrupted = "{study} was interrupted; the same command goes on where it stopped",
+            .several_builds = "  by {count} builds of the program; --force measures all with this one\n",
+            .interrupted =
+                "{study} was interrupted; the same command, without --force, goes on where it stopped",
             .other_table =
                 "{file} has \"{has}\" where this study would write \"{wanted}\": it was made by another "
                 "program or machine. --force measures anew, --out DIR keeps both",

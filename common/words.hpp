@@ -115,8 +115,8 @@ struct Words {
 
   // the studies
   struct Study {
-    Word help, help_name, help_quick, help_out, help_force, list, done, interrupted, other_table,
-        damaged_table;
+    Word help, help_name, help_quick, help_out, help_force, list, done, several_builds, interrupted,
+        other_table, damaged_table;
     constexpr bool operator==(const Study&) const = default;
   } study;
 

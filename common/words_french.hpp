@@ -460,7 +460,10 @@ inline constexpr Words french{
             .help_force = "mesure à nouveau ce qui existe déjà",
             .list = "Études :{studies}",
             .done = "{study} : {rows} lignes dans {file}, dont {diverged} divergées\n",
-            .interrupted = "{study} a été interrompue ; la même commande reprend où elle s'est arrêtée",
+            .several_builds =
+                "  par {count} versions compilées du programme ; --force mesure tout avec celle-ci\n",
+            .interrupted =
+                "{study} a été interrompue ; la même commande, sans --force, reprend où elle s'est arrêtée",
             .other_table =
                 "{file} contient « {has} » là où cette étude écrirait « {wanted} » : un autre programme ou "
                 "une autre machine l'a faite. --force mesure à nouveau, --out DOSSIER garde les deux",

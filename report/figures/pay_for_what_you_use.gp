@@ -15,14 +15,14 @@ place(name_) = (line = line + (name_ ne scene && scene ne "" ? 1.7 : 1), scene =
 shown(first) = discs(strcol("scene")) == first
 read(first) = (column(0) == 0 ? start(0) : 0, itself(strcol("law")) ? (base = column("before")) : 0, \
   shown(first) ? place(strcol("scene")) : NaN)
-# A bar beyond `most` is cut; its number says how long it is.
+# A bar beyond `most` is cut; its number says how long it would be.
 most = 0
 stats csv using (most = column("before") > most ? column("before") : most) nooutput
 most = 1.2 * most
 duration(dummy) = itself(strcol("law")) ? base : base * column("ratio")
 bar(first) = shown(first) ? (duration(0) > most ? most : duration(0)) : NaN
 memory(first) = shown(first) ? column("bytes") : NaN
-factor(dummy) = itself(strcol("law")) ? "" : sprintf(column("ratio") < 10 ? " × %.2f" : " × %.1f", column("ratio")) . (duration(0) > most ? " (cut)" : "")
+factor(dummy) = itself(strcol("law")) ? "" : sprintf(column("ratio") < 10 ? " × %.2f" : " × %.1f", column("ratio"))
 shade(colour) = itself(strcol("law")) ? 0x8C8C8C : colour
 
 stats csv using (y = read(1)) nooutput

@@ -1,10 +1,10 @@
 # Error against processor time and against evaluations of the force: what the figures work_precision_bounce and
 # work_precision_spring share. They set `unit`.
 eval(logarithmic_x); eval(logarithmic_y)
-set ylabel sprintf("rms error [%s]", unit) offset 0.5, 0
+set ylabel sprintf("rms error [%s]", unit) offset 1.5, 0
 set yrange [1e-13:10]; set ytics 1e-12, 1e2; set mytics 1; set mxtics 1
 racers = schemes . " bogacki_shampine"
-set multiplot layout 1, 2 margins 0.11, 0.98, 3.4 / height, 1 - 0.3 / height spacing 0.09, 0
+set multiplot layout 1, 2 margins 0.13, 0.98, 3.4 / height, 1 - 0.3 / height spacing 0.09, 0
 unset key
 do for [cost in "seconds evaluations"] {
   if (cost eq "seconds") {

@@ -172,7 +172,7 @@ Conclusion conclude(const Table& table) {
   double most = 0;
   for (const std::string angle : angles)
     for (const auto& each : table.where({{"case", "plate " + angle}, {"R_over_dx", "25"}}))
-      most = std::max(most, std::abs(table.number(each, "angle") - std::stod(angle)));
+      most = greater(most, std::abs(table.number(each, "angle") - std::stod(angle)));
   findings.push_back(
       {"angle_error", rounded(most, 2), "deg", "largest error of the contact angle with R/dx = 25"});
   const auto round = table.where({{"case", "round"}, {"part", "run"}});

@@ -34,13 +34,21 @@ std::string text_of(const TextTable& table) {
   return text;
 }
 
+/// 1000000 is read as 1 000 000; a number with a fraction, or of four digits, as it is.
+std::string grouped(std::string digits) {
+  if (digits.size() < 5 || digits.find_first_not_of("0123456789") != std::string::npos) return digits;
+  for (auto at = static_cast<long>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), "\\,");
+  return digits;
+}
+
 /// 4.5e-06 becomes a power of ten; what TeX would take for itself is marked.
 std::string latex(const std::string& text) {
   const auto e = text.find('e');
   char* end = nullptr;
   static_cast<void>(std::strtod(text.c_str(), &end));
   if (!text.empty() && *end == '\0') {
-    if (e == std::string::npos) return "\\ensuremath{" + text + '}';
+    if (e == std::string::npos) return "\\ensuremath{" + grouped(text) + '}';
     return fmt::format("\\ensuremath{{{}\\cdot 10^{{{}}}}}", text.substr(0, e),
                        std::atoi(text.c_str() + e + 1));
   }

@@ -154,7 +154,7 @@ std::vector<Finding> findings_of(const Table& table, const std::vector<Row>& row
         "greatest pressure on the foot of the far wall, over rho g a");
   found("peak_time", table.number(peak, "T"), "", "T of it");
   double drift = 0;
-  for (const auto& each : rows) drift = std::max(drift, std::abs(table.number(each, "drift")));
+  for (const auto& each : rows) drift = greater(drift, std::abs(table.number(each, "drift")));
   found("drift", drift, "", "largest drift of the total energy until T = 8, of the potential at the start",
         2);
   found("dissipated_3", 100 * at(table, rows, "dissipated", 3), "%", "energy dissipated by T = 3", 2);
@@ -164,7 +164,12 @@ std::vector<Finding> findings_of(const Table& table, const std::vector<Row>& row
 }
 
 Conclusion conclude(const Table& table) {
-  Conclusion all{.findings = {}, .tables = {{.name = "fronts", .header = {"front x/a at T ="}, .rows = {}}}};
+  Conclusion all{.findings = {},
+                 .tables = {{.name = "fronts", .header = {"front x/a at T ="}, .rows = {}},
+                            {.name = "resolutions",
+                             .header = {"a/dx", "lead [a]", "peak [rho g a]", "drift", "lost to T = 3 [%]",
+                                        "lost to T = 8 [%]", "CPU s"},
+                             .rows = {}}}};
   auto& fronts = all.tables.front();
   for (const auto& each : pysph::fronts) fronts.header.push_back(rounded(each.time));
   const auto line = [&](const std::string& name, const std::function<double(double)>& front) {
@@ -180,9 +185,14 @@ Conclusion conclude(const Table& table) {
     line("ours; a/dx " + cells, front);
     const auto found = findings_of(table, rows, cells);
     all.findings.insert(all.findings.end(), found.begin(), found.end());
+    auto& line_of_it = all.tables.back().rows.emplace_back(Row{cells});
+    for (const char* name :
+         {"lead_koshizuka", "peak_pressure", "drift", "dissipated_3", "dissipated_8", "cpu"})
+      for (const auto& each : found)
+        if (each.name == name + ('_' + cells)) line_of_it.push_back(each.value);
     double apart = 0;
     for (const auto& each : pysph::fronts)
-      apart = std::max(apart, std::abs(front(each.time) - at(table, coarser, "front", each.time)));
+      apart = greater(apart, std::abs(front(each.time) - at(table, coarser, "front", each.time)));
     if (!coarser.empty())
       all.findings.push_back({"apart_" + cells, rounded(apart, 2), "a",
                               "largest distance of the fronts with a/dx = " + cells + " and half of that"});
@@ -193,7 +203,7 @@ Conclusion conclude(const Table& table) {
     const auto front = [&](double T) { return at(table, rows, "front", T); };
     line(std::string("PySPH; a/dx ") + cells, front);
     all.findings.push_back({std::string("lead_pysph_") + cells, rounded(lead(koshizuka_oka_1996, front), 2),
-                            "a", std::string("the same of PySPH, a/dx = ") + cells});
+                            "a", std::string("mean lead over Koshizuka & Oka of PySPH, a/dx = ") + cells});
   }
   for (const auto& each : dam_break_fronts)
     line(std::string(each.name), [&](double T) { return each.front(T); });

@@ -27,7 +27,9 @@ std::vector<Extreme> extremes(const Series& series) {
                  after = (y[k] - y[k - 1]) / (t[k] - t[k - 1]);
     if (before * after >= 0) continue;
     const double top = (t[k - 2] + t[k - 1]) / 2 + before / (before - after) * (t[k] - t[k - 2]) / 2;
-    all.push_back({top, y[k - 1]});
+    const double from = top - t[k - 1];  // Newton's form of the parabola, about the middle instant
+    all.push_back({top, y[k - 1] + from * (before + (from + t[k - 1] - t[k - 2]) * (after - before) /
+                                                        (t[k] - t[k - 2]))});
   }
   return all;
 }

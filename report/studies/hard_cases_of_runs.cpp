@@ -108,7 +108,8 @@ Outcome give_bad_values(Effort effort) {
       "and range with its unit",
       refused.tried, scenes, refused.accepted, refused.unclear);
   if (!refused.example.empty()) happened += "; last: " + refused.example;
-  std::replace(happened.begin(), happened.end(), ',', ';');
+  for (auto& c : happened)  // which no cell of a CSV may have
+    if (c == ',' || c == '"' || c == '\n') c = ';';
   return {happened, refused.accepted == 0 && refused.unclear == 0};
 }
 

@@ -141,6 +141,7 @@ double crossover(const Table& table) {
              fast = table.where({{"sweep", "viscosity"}, {"step", "implicit"}, {"part", "run"}});
   double last = nothing, last_nu = nothing;
   for (std::size_t k = 0; k < std::min(slow.size(), fast.size()); ++k) {
+    if (table.text(slow[k], "nu") != table.text(fast[k], "nu")) return nothing;  // one of them diverged
     const double gain = std::log(table.number(slow[k], "seconds") / table.number(fast[k], "seconds")),
                  nu = table.number(slow[k], "nu");
     if (last < 0 && gain >= 0) return last_nu * std::pow(nu / last_nu, last / (last - gain));

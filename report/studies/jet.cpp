@@ -153,9 +153,13 @@ Conclusion conclude(const Table& table) {
   for (const auto& run : drained)
     tank.rows.push_back({table.text(run, "resolution"), rounded(table.number(run, "contraction")),
                          rounded(table.number(run, "seconds"), 2)});
-  const auto order = power_law(table.numbers(runs, "resolution"), table.numbers(runs, "profile_error"));
+  auto resolved = runs;  // with 5 particles across there is no profile
+  std::erase_if(resolved, [&](const Row& run) { return table.number(run, "resolution") < 10; });
+  const auto order =
+      power_law(table.numbers(resolved, "resolution"), table.numbers(resolved, "profile_error"));
   std::vector<Finding> findings{
-      {"profile_order", rounded(-order.exponent, 2), "", "order in dx of the pressure along the plate"},
+      {"profile_order", rounded(-order.exponent, 2), "",
+       "order in dx of the pressure along the plate, from d/dx = 10 on"},
       {"kirchhoff", rounded(std::numbers::pi / (std::numbers::pi + 2)), "", "C_c of Kirchhoff"}};
   if (!runs.empty()) {
     findings.push_back({"force", rounded(table.number(runs.back(), "force")), "",

@@ -78,8 +78,7 @@ Conclusion conclude(const Table& table) {
                        const std::string& meaning) {
     found.findings.push_back({name, value, unit, meaning});
   };
-  add("crossover", fmt::format("{:.0f}", std::round(crossover(list, grid) / 5) * 5), "",
-      "discs from which on the grid is faster");
+  add("crossover", rounded(crossover(list, grid), 2), "", "discs from which on the grid is faster");
   add("list_exponent", rounded(list_law.exponent), "", "of n in a step of the list, n >= 1000");
   add("grid_exponent", rounded(grid_law.exponent), "", "of n in a step of the grid, n >= 1000");
   if (list.n.empty() || grid.n.empty()) return found;
@@ -96,7 +95,7 @@ Conclusion conclude(const Table& table) {
           "times as fast as the list is the grid with the most discs that both were given");
   const auto last = table.where({{"search", "grid"}}).back();
   add("grid_tested", rounded(table.number(last, "pairs_tested")), "",
-      "others tested for each disc in the grid, whatever n");
+      "others tested for each disc in the grid, of the most");
   add("touched", rounded(table.number(last, "neighbours")), "", "of these touch it");
   return found;
 }

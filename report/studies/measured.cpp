@@ -92,6 +92,8 @@ PowerLaw power_law(const std::vector<double>& x, const std::vector<double>& y) {
   return {exponent, std::exp((sy - exponent * sx) / n)};
 }
 
+double greater(double a, double b) { return std::isnan(a) || std::isnan(b) ? a + b : std::max(a, b); }
+
 std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < costs.size(); ++k)

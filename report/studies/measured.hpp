@@ -54,6 +54,9 @@ struct PowerLaw {
 };
 PowerLaw power_law(const std::vector<double>& x, const std::vector<double>& y);
 
+/// The greater of two numbers; NaN when one is missing, so that nothing missing passes for a small error.
+double greater(double a, double b);
+
 /// Of pairs (cost, error): those that no other one beats in both, from the cheapest on.
 std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
 

@@ -69,9 +69,11 @@ void conclude(const Study& study, const Options& options, const fs::path& file, 
   const auto lost = std::count_if(table.rows().begin(), table.rows().end(),
                                   [&](const Row& row) { return table.diverged(row); });
   if (options.quiet) return;
-  print_result(say(words().study.done, fmt::arg("study", study.name), fmt::arg("file", file.string()),
-                   fmt::arg("rows", table.rows().size()), fmt::arg("diverged", lost)) +
-               text_of(conclusion));
+  print_result(
+      say(words().study.done, fmt::arg("study", study.name), fmt::arg("file", file.string()),
+          fmt::arg("rows", table.rows().size()), fmt::arg("diverged", lost)) +
+      (table.builds() > 1 ? say(words().study.several_builds, fmt::arg("count", table.builds())) : "") +
+      text_of(conclusion));
 }
 
 /// With what the tables of a folder were measured, for the report.
@@ -85,30 +87,35 @@ void note_machine(const fs::path& folder) {
 /// False when it was interrupted.
 bool run(const Study& study, const Options& options) {
   const auto file = folder_of(options) / (study.name + ".csv");
-  Table table(study.keys, study.values);
   const auto origin = about(study, options);
-  if (fs::exists(file) && !options.force) table.read(file, origin);
+  Table before(study.keys, study.values);
+  if (fs::exists(file) && !options.force) before.read(file, origin);
 
   const auto points = study.points(options.quick ? Effort::quick : Effort::full);
-  double done = 0, all = 0, so_far = 0;
+  std::vector<std::vector<Row>> rows;  // of each point, in their order, whenever they were measured
+  double done = 0, left = 0;
   for (const auto& point : points) {
-    all += point.weight;
-    if (table.has(point.key)) so_far += point.weight;
+    rows.push_back(before.of(point.key));
+    if (rows.back().empty()) left += point.weight;
   }
   Progress progress(!options.quiet);
-  for (const auto& point : points) {
-    if (table.has(point.key)) continue;
-    progress.show(done / (all - so_far), study.name + ": " + joined(point.key));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!rows[k].empty()) continue;
+    progress.show(done / left, study.name + ": " + joined(points[k].key));
     try {
       heed_interrupt();
-      for (auto& row : measured(point, table.width())) table.add(std::move(row));
+      rows[k] = measured(points[k], before.width());
     } catch (const Interrupted&) {
       return false;
+    } catch (...) {  // a helper that Ctrl-C ended may have its own words for it
+      if (Interrupt::asked()) return false;
+      throw;
     }
-    write_file(file, table.csv(origin));  // whole, after each point: a killed study has all but the last
-    done += point.weight;
+    before.note_build(program_fingerprint());
+    write_file(file, before.with(rows).csv(origin));  // whole: a killed study has all points but the last
+    done += points[k].weight;
   }
-  conclude(study, options, file, table);
+  conclude(study, options, file, before.with(rows));
   return true;
 }
 
@@ -177,12 +184,12 @@ int run_studies(std::span<const Study> studies, int argc, const char* const* arg
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) refuse_file(words().cannot_write, folder, error.value());
-    note_machine(folder);
     for (const auto& study : studies) {
       if (!wanted(options, study) || run(study, options)) continue;
       complain("study", say(words().study.interrupted, fmt::arg("study", study.name)));
       return exit_interrupted;
     }
+    note_machine(folder);
     return exit_done;
   });
 }

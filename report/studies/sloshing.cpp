@@ -92,7 +92,7 @@ Conclusion conclude(const Table& table) {
            rounded(100 * table.number(run, "rms_error"), 2), rounded(table.number(run, "frequency_ratio"), 5),
            rounded(table.number(run, "seconds"), 2)});
     }
-    off = std::max(off, table.number(runs.back(), "frequency_error"));
+    off = greater(off, table.number(runs.back(), "frequency_error"));
     const auto order = power_law(table.numbers(runs, "H_over_dx"), table.numbers(runs, "largest_error"));
     findings.push_back(
         {name + "_order", rounded(-order.exponent, 2), "", name + ": order in dx of the largest error"});

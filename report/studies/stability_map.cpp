@@ -181,12 +181,12 @@ std::string limit_at(const Table& table, std::string_view map, std::string_view 
   return rows.empty() ? "-" : rounded(table.number(rows[0], "limit"));
 }
 
-/// How far the limits that were found are from those of theory, at most; where both are numbers.
+/// How far the limits that were found are from those of theory, at most, where theory has one.
 double furthest_from_theory(const Table& table, std::string_view map, std::string_view scheme) {
   double most = 0;
   for (const auto& each : table.where({{"map", map}, {"scheme", scheme}})) {
     const double found = table.number(each, "limit"), theory = table.number(each, "theory");
-    if (found > 0 && std::isfinite(theory) && theory > 0) most = std::max(most, std::abs(found / theory - 1));
+    if (theory > 0) most = greater(most, std::abs(found / theory - 1));
   }
   return most;
 }

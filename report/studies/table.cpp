@@ -14,6 +14,8 @@
 namespace clapotis::studies {
 namespace {
 
+constexpr std::string_view builds_line = "# builds:";
+
 std::string joined(const Row& cells) {
   std::string line;
   for (const auto& each : cells) line += (line.empty() ? "" : ",") + each;
@@ -34,6 +36,10 @@ std::string cell(double value) { return std::isfinite(value) ? to_text(value) : 
 
 std::string rounded(double value, int digits) {
   if (!std::isfinite(value)) return "-";
+  if (const double size = std::abs(value); size >= std::pow(10, digits) && size < 1e5) {
+    const double unit = std::pow(10, std::floor(std::log10(size)) - digits + 1);
+    return fmt::format("{:.0f}", std::round(value / unit) * unit);  // 1230, not 1.23e+03
+  }
   auto text = fmt::format("{:#.{}g}", value, digits);  // # keeps the zeros: 1.50
   const auto dot = text.find('.');
   const auto whole = dot - (value < 0 ? 1 : 0);
@@ -54,9 +60,23 @@ void Table::add(Row row) {
   rows_.push_back(std::move(row));
 }
 
-bool Table::has(const Row& key) const {
-  return std::any_of(rows_.begin(), rows_.end(),
-                     [&](const Row& row) { return std::equal(key.begin(), key.end(), row.begin()); });
+std::vector<Row> Table::of(const Row& key) const {
+  std::vector<Row> found;
+  std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(found),
+               [&](const Row& row) { return std::equal(key.begin(), key.end(), row.begin()); });
+  return found;
+}
+
+Table Table::with(const std::vector<std::vector<Row>>& points) const {
+  Table other = *this;
+  other.rows_.clear();
+  for (const auto& rows : points)
+    for (const auto& row : rows) other.add(row);
+  return other;
+}
+
+void Table::note_build(const std::string& fingerprint) {
+  if (std::find(builds_.begin(), builds_.end(), fingerprint) == builds_.end()) builds_.push_back(fingerprint);
 }
 
 std::size_t Table::place(std::string_view column) const {
@@ -97,21 +117,27 @@ std::vector<std::string> Table::kinds(std::string_view column) const {
   return all;
 }
 
+/// What is to be the same when a table is read again.
 std::string Table::head(const std::string& about) const {
   std::string text;
   std::istringstream lines(about);
   for (std::string line; std::getline(lines, line);) text += "# " + line + '\n';
   text += "# units:";
-  Row names;
-  for (const auto& column : columns_) {
+  for (const auto& column : columns_)
     if (!column.unit.empty()) text += ' ' + column.name + " [" + column.unit + ']';
-    names.push_back(column.name);
-  }
-  return text + '\n' + joined(names);
+  return text + '\n';
+}
+
+std::string Table::names() const {
+  Row names;
+  for (const auto& column : columns_) names.push_back(column.name);
+  return joined(names);
 }
 
 std::string Table::csv(const std::string& about) const {
-  auto text = head(about);
+  auto text = head(about) + std::string(builds_line);
+  for (const auto& build : builds_) text += ' ' + build;
+  text += '\n' + names();
   for (const auto& row : rows_) text += joined(row);
   return text;
 }
@@ -119,14 +145,21 @@ std::string Table::csv(const std::string& about) const {
 void Table::read(const std::filesystem::path& file, const std::string& about) {
   std::ifstream stream(file);
   if (!stream) refuse_file(words().cannot_read, file, errno);
-  std::istringstream expected(head(about));
-  std::string line, wanted;
-  while (std::getline(expected, wanted)) {
-    std::getline(stream, line);
+  std::string line;
+  const auto compare = [&](const std::string& wanted) {
     if (line != wanted)
       throw BadInput(say(words().study.other_table, fmt::arg("file", file.string()), fmt::arg("has", line),
                          fmt::arg("wanted", wanted)));
+  };
+  std::istringstream expected(head(about));
+  for (std::string wanted; std::getline(expected, wanted); compare(wanted)) std::getline(stream, line);
+  std::getline(stream, line);
+  if (line.starts_with(builds_line)) {
+    std::istringstream builds(line.substr(builds_line.size()));
+    for (std::string build; builds >> build;) note_build(build);
+    std::getline(stream, line);
   }
+  compare(names().substr(0, names().size() - 1));
   while (std::getline(stream, line)) {
     auto cells = cells_of(line);
     if (cells.size() != columns_.size())

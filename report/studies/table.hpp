@@ -39,7 +39,13 @@ class Table {
   Table(std::vector<Column> keys, std::vector<Column> values);
 
   void add(Row row);
-  [[nodiscard]] bool has(const Row& key) const;
+  /// The rows of the point with this key.
+  [[nodiscard]] std::vector<Row> of(const Row& key) const;
+  /// The same columns and builds, with other rows: those of points, one after the other.
+  [[nodiscard]] Table with(const std::vector<std::vector<Row>>& points) const;
+  /// Notes that this build of the program has measured rows of it.
+  void note_build(const std::string& fingerprint);
+  [[nodiscard]] std::size_t builds() const { return builds_.size(); }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] std::size_t width() const { return columns_.size(); }
 
@@ -55,7 +61,7 @@ class Table {
   /// The different cells of a column, in the order of the table.
   [[nodiscard]] std::vector<std::string> kinds(std::string_view column) const;
 
-  /// CSV: `about` and the units as comments (#), the names of the columns, the rows.
+  /// CSV: `about`, the units and the builds as comments (#), the names of the columns, the rows.
   [[nodiscard]] std::string csv(const std::string& about) const;
   /// Takes the rows of a file that `csv` wrote. Throws BadInput when it is `about` something else, or has
   /// other columns.
@@ -63,10 +69,12 @@ class Table {
 
  private:
   [[nodiscard]] std::string head(const std::string& about) const;
+  [[nodiscard]] std::string names() const;
   [[nodiscard]] std::size_t place(std::string_view column) const;
 
   std::vector<Column> columns_;
   std::vector<Row> rows_;
+  std::vector<std::string> builds_;  ///< fingerprints of the programs that measured, in their order
 };
 
 }  // namespace clapotis::studies

@@ -96,11 +96,10 @@ Point point(std::string_view name, const Setting& setting, int cells, Effort eff
 }
 
 std::vector<Row> published(const pysph::Drop& peer) {
-  return found({.b = peer.b_error,
-                .b_largest = std::abs(peer.b_error),
-                .energy = peer.energy_error,
-                .energy_largest = std::abs(peer.energy_error)},
-               {}, 0);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  // only the end was published
+  return found(
+      {.b = peer.b_error, .b_largest = unknown, .energy = peer.energy_error, .energy_largest = unknown}, {},
+      0);
 }
 
 std::vector<Row> measured(const PeerDrop& peer) {

@@ -139,16 +139,17 @@ TEST_CASE("on the Pareto front nobody is beaten in both cost and error", "[study
 
 TEST_CASE("the report reads powers of ten and marks what TeX would take for itself", "[study]") {
   const Conclusion found{{{"small", "4.5e-06", "m", ""}, {"word", "rk4_5 & 10%", "", ""}},
-                         {{"t", {"a", "b"}, {{"x_1", "2.50"}}}}};
+                         {{"t", {"a", "b"}, {{"x_1", "2.50"}, {"m^2/s", "1000000"}}}}};
   CHECK(latex_of("s", found) ==
         "\\setval{s/small}{\\ensuremath{4.5\\cdot 10^{-6}}~m}\n\\setval{s/word}{rk4\\_5 \\& 10\\%}\n"
-        "\\setrows{s/t}{%\nx\\_1 & \\ensuremath{2.50} \\\\\n}\n");
+        "\\setrows{s/t}{%\nx\\_1 & \\ensuremath{2.50} \\\\\n"
+        "m\\textsuperscript{2}/s & \\ensuremath{1\\,000\\,000} \\\\\n}\n");
 }
 
 TEST_CASE("a number that is rounded keeps the zeros that count", "[study]") {
   CHECK(rounded(1.5) == "1.50");
   CHECK(rounded(123.4) == "123");
-  CHECK(rounded(-1234.5) == "-1.23e+03");
+  CHECK(rounded(-1234.5) == "-1230");
   CHECK(rounded(4.5e-6, 2) == "4.5e-06");
   CHECK(rounded(std::nan("")) == "-");
 }

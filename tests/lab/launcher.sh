@@ -121,7 +121,7 @@ expect '... as a figure beside its table' 0 '^orders.pdf$' ls "$box/here" --igno
 : > "$box/stopped"
 expect 'a study that was stopped says so' 130 '^study orders' "$lab" study orders
 rm "$box/stopped"
-expect 'the report takes no option but one' 2 'takes --quick.*not "--fast"' "$lab" report --fast
+expect 'the report refuses an option that it has not' 2 'takes --quick.*not "--fast"' "$lab" report --fast
 expect 'the report measures, draws, and sets itself' 0 '^study all --quick.*Typesetting.*report/report.pdf$' \
   "$lab" report --quick
 expect '... and is there' 0 'report.pdf' ls "$house/report"
