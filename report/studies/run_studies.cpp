@@ -43,8 +43,21 @@ std::string about(const Study& study, const Options& options) {
                      options.quick ? " --quick" : "", version(), compiler(), processor());
 }
 
+/// What studies measure and find is English, like the report, whatever the runner speaks.
+class InEnglish {
+ public:
+  InEnglish() { speak(Language::english); }
+  ~InEnglish() { speak(before_); }
+  InEnglish(const InEnglish&) = delete;
+  InEnglish& operator=(const InEnglish&) = delete;
+
+ private:
+  Language before_ = language();
+};
+
 /// The rows of a point, whole: with its key, and how it came out.
 std::vector<Row> measured(const Point& point, std::size_t width) {
+  const InEnglish meanwhile;
   std::vector<Row> rows;
   const auto complete = [&](Row values, const char* outcome) {
     Row row = point.key;

@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "common/simulation/errors.hpp"
+#include "common/words.hpp"
 #include "report/studies/conclusion.hpp"
 #include "report/studies/measured.hpp"
 #include "report/studies/run_studies.hpp"
@@ -104,6 +105,18 @@ TEST_CASE("what another program measured is neither mixed with new rows nor lost
   CHECK(testing::read(scratch.path() / "squares.csv") == quick);
   CHECK(run(study, scratch.path(), {"squares", "--force"}) == 0);
   CHECK(left_in(scratch.path()).rows().size() == 3);
+}
+
+TEST_CASE("what a study finds in a refusal is English though the runner speaks French", "[study]") {
+  const testing::Scratch scratch;
+  std::vector<int> measured;
+  std::string refusal;
+  const auto study = squares(measured, [&](int) { refusal = words().no_memory; });
+  const auto english = std::string(words().no_memory);
+  CHECK(run(study, scratch.path(), {"squares", "--lang", "fr"}) == 0);
+  CHECK(refusal == english);
+  CHECK(language() == Language::french);
+  speak(Language::english);
 }
 
 TEST_CASE("a name that no study has and an option that there is not are refused", "[study]") {
