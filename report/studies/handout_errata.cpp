@@ -154,7 +154,7 @@ std::vector<Erratum> errata() {
         {"mended", "continuity", still_water({})}}},
       {"9",
        "m g in the pressure force and as weight",
-       "everything falls twice as fast",
+       "everything falls with twice the acceleration",
        "height",
        "m",
        height,
