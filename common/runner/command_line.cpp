@@ -83,6 +83,18 @@ void refuse_values(int argc, const char* const* argv, const std::vector<std::str
   }
 }
 
+void refuse_unknown(const CLI::App& app, const std::vector<std::string>& takes_value,
+                    const std::vector<std::string>& takes_none) {
+  for (const auto& word : app.remaining()) {
+    if (!word.starts_with('-')) continue;
+    auto known = takes_value;
+    known.insert(known.end(), takes_none.begin(), takes_none.end());
+    const auto near = nearest(word, known);
+    const auto hint = near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
+    throw BadInput(say(words().unknown_option, fmt::arg("option", word), fmt::arg("hint", hint)));
+  }
+}
+
 Arguments sort_arguments(const Stage& stage, int argc, const char* const* argv) {
   Arguments found;
   CLI::App app(std::string(called(stage.title)));

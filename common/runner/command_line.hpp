@@ -32,6 +32,10 @@ void name_parts(CLI::App& app);
 void refuse_values(int argc, const char* const* argv, const std::vector<std::string>& takes_value,
                    const std::vector<std::string>& takes_none);
 
+/// Throws BadInput for an option that none of these is, with the nearest of them.
+void refuse_unknown(const CLI::App& app, const std::vector<std::string>& takes_value,
+                    const std::vector<std::string>& takes_none);
+
 /// Throws BadInput for an option that lacks its value.
 Arguments sort_arguments(const Stage& stage, int argc, const char* const* argv);
 

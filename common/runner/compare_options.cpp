@@ -71,17 +71,6 @@ const std::vector<std::string> with_value{"--until", "--steps",       "--every",
                                           "--video", "--video-every", "--lang"},
     without_value{"--force", "--json", "--quiet", "--help"};
 
-void refuse_unknown(const CLI::App& app) {
-  for (const auto& word : app.remaining()) {
-    if (!word.starts_with('-')) continue;
-    auto known = with_value;
-    known.insert(known.end(), without_value.begin(), without_value.end());
-    const auto near = nearest(word, known);
-    const auto hint = near.empty() ? "" : say(words().did_you_mean, fmt::arg("name", near));
-    throw BadInput(say(words().unknown_option, fmt::arg("option", word), fmt::arg("hint", hint)));
-  }
-}
-
 }  // namespace
 
 SideOptions read_side(std::span<const Stage> stages, const std::string& text) {
@@ -144,7 +133,7 @@ CompareOptions read_compare_options(std::span<const Stage> stages, int argc, con
     options.answer = app.help();
     return options;
   }
-  refuse_unknown(app);
+  refuse_unknown(app, with_value, without_value);
   const auto sides = app.count("LEFT") + app.count("RIGHT") + app.remaining().size();
   if (sides != 2) throw BadInput(say(w.compare_two_sides, fmt::arg("count", sides)));
   understand(options, raw, app);

@@ -83,15 +83,6 @@ std::vector<Row> impinging(int resolution) {
   return rows;
 }
 
-/// Slope of a straight line by least squares.
-double slope(const Series& line) {
-  const auto n = static_cast<double>(line.t.size());
-  double t = 0, y = 0, tt = 0, ty = 0;
-  for (std::size_t k = 0; k < line.t.size(); ++k)
-    t += line.t[k], y += line.y[k], tt += line.t[k] * line.t[k], ty += line.t[k] * line.y[k];
-  return (n * ty - t * y) / (n * tt - t * t);
-}
-
 /// A tank that empties: by how much its jet contracts, from how fast the root of the level falls. Its cost is
 /// that of the whole run, with what looks at it.
 std::vector<Row> emptying(int resolution) {
@@ -114,7 +105,8 @@ std::vector<Row> emptying(int resolution) {
   const double start = processor_seconds();
   advance(*tank, until, look);
   const double seconds = (processor_seconds() - start) / until;
-  const double contraction = -slope(roots) / (exact.slot / exact.width * std::sqrt(exact.gravity / 2));
+  const double contraction =
+      -line_through(roots.t, roots.y).slope / (exact.slot / exact.width * std::sqrt(exact.gravity / 2));
   std::vector<Row> rows{row("run", nothing, nothing, nothing, particles, nothing, most, nothing, nothing,
                             nothing, contraction, seconds)};
   if (resolution == 10) rows.insert(rows.end(), curve.begin(), curve.end());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 
 #include "common/measures/energy.hpp"
 #include "common/runner/machine.hpp"
@@ -137,15 +138,11 @@ std::vector<Point> points(Effort effort) {
   return all;
 }
 
-/// How much a straight line through a series rises from its first to its last number: least squares.
+/// How much a straight line through a series rises from its first to its last number.
 double trend(const std::vector<double>& y) {
-  const auto n = static_cast<double>(y.size());
-  double sxy = 0, sxx = 0;
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    const double x = static_cast<double>(k) - (n - 1) / 2;
-    sxy += x * y[k], sxx += x * x;
-  }
-  return sxy / sxx * (n - 1);
+  std::vector<double> x(y.size());
+  std::iota(x.begin(), x.end(), 0.0);
+  return line_through(x, y).slope * (x.back() - x.front());
 }
 
 Conclusion conclude(const Table& table) {

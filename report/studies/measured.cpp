@@ -7,6 +7,7 @@
 #include "common/runner/compare_options.hpp"
 #include "common/runner/interrupt.hpp"
 #include "common/runner/stopwatch.hpp"
+#include "report/in_turns.hpp"
 #include "report/stages.hpp"
 
 namespace clapotis::studies {
@@ -46,20 +47,29 @@ void advance_steps(Simulation& simulation, long steps, const std::function<void(
 Timed timed(int times, const std::function<double()>& seconds_of_one) {
   std::vector<double> seconds;
   for (int k = 0; k < times; ++k) seconds.push_back(seconds_of_one());
-  std::sort(seconds.begin(), seconds.end());
-  const double median = (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]) / 2;
-  return {median, (seconds.back() - seconds.front()) / median};
+  const auto [least, most] = std::minmax_element(seconds.begin(), seconds.end());
+  const double middle = median(seconds);
+  return {middle, (*most - *least) / middle};
 }
 
-Cost cost_until(const std::string& text, double until, int times) {
+Cost cost_until(const std::string& text, double until, int times,
+                const std::function<void(Simulation&)>& watch) {
   Cost cost;
+  bool watched = !watch;
   cost.seconds = timed(times, [&] {
     const auto run = simulation(text);
     const double start = processor_seconds();
-    advance(*run, until);
+    double looked = 0;
+    advance(*run, until, [&](Simulation& s) {
+      if (watched) return;
+      const double before = processor_seconds();
+      watch(s);
+      looked += processor_seconds() - before;
+    });
+    watched = true;
     cost.steps = run->steps();
     cost.evaluations = run->system().force_evaluations;
-    return processor_seconds() - start;
+    return processor_seconds() - start - looked;
   });
   return cost;
 }
@@ -80,16 +90,25 @@ Timed step_cost(Simulation& simulation, int times, double least) {
 
 double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
 
+Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  if (n < 2) return {};
+  const double mean_x = std::reduce(x.begin(), x.end()) / n, mean_y = std::reduce(y.begin(), y.end()) / n;
+  double xx = 0, xy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    xx += (x[k] - mean_x) * (x[k] - mean_x), xy += (x[k] - mean_x) * (y[k] - mean_y);
+  return {xy / xx, mean_y - xy / xx * mean_x};
+}
+
 PowerLaw power_law(const std::vector<double>& x, const std::vector<double>& y) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  std::vector<double> log_x, log_y;
   for (std::size_t k = 0; k < std::min(x.size(), y.size()); ++k) {
     if (!(x[k] > 0 && y[k] > 0 && std::isfinite(x[k]) && std::isfinite(y[k]))) continue;
-    const double a = std::log(x[k]), b = std::log(y[k]);
-    n += 1, sx += a, sy += b, sxx += a * a, sxy += a * b;
+    log_x.push_back(std::log(x[k]));
+    log_y.push_back(std::log(y[k]));
   }
-  if (n < 2) return {};
-  const double exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  return {exponent, std::exp((sy - exponent * sx) / n)};
+  const auto line = line_through(log_x, log_y);
+  return {line.slope, std::exp(line.at_zero)};
 }
 
 double greater(double a, double b) { return std::isnan(a) || std::isnan(b) ? a + b : std::max(a, b); }
@@ -104,28 +123,6 @@ std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const st
   for (const auto k : order)
     if (front.empty() || errors[k] < errors[front.back()]) front.push_back(k);
   return front;
-}
-
-Cost watched_cost(const std::string& text, double until, int times,
-                  const std::function<void(Simulation&)>& watch) {
-  Cost cost;
-  bool watched = false;
-  cost.seconds = timed(times, [&] {
-    const auto run = simulation(text);
-    const double start = processor_seconds();
-    double looked = 0;
-    advance(*run, until, [&](Simulation& s) {
-      if (watched) return;
-      const double before = processor_seconds();
-      watch(s);
-      looked += processor_seconds() - before;
-    });
-    watched = true;
-    cost.steps = run->steps();
-    cost.evaluations = run->system().force_evaluations;
-    return processor_seconds() - start - looked;
-  });
-  return cost;
 }
 
 }  // namespace clapotis::studies

@@ -36,16 +36,24 @@ struct Timed {
 };
 Timed timed(int times, const std::function<double()>& seconds_of_one);
 
-/// What a run to `until` costs: processor time of its steps alone, median of `times` runs from new.
+/// What a run to `until` costs: processor time of its steps alone, median of `times` runs from new. In the
+/// first of them `watch`, if there is one, sees each step, while the clock stands.
 struct Cost {
   Timed seconds;
   long steps = 0, evaluations = 0;
 };
-Cost cost_until(const std::string& text, double until, int times);
+Cost cost_until(const std::string& text, double until, int times,
+                const std::function<void(Simulation&)>& watch = {});
 
 /// Seconds of processor time per step, median of `times` bursts that each take at least `least` [s]. The
 /// state moves on meanwhile.
 Timed step_cost(Simulation& simulation, int times, double least = 0.05);
+
+/// The straight line y = slope x + at_zero through points, by least squares; NaN for fewer than two.
+struct Line {
+  double slope = std::numeric_limits<double>::quiet_NaN(), at_zero = slope;
+};
+Line line_through(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Least squares of log y = exponent log x + log factor, over the pairs of positive finite numbers.
 struct PowerLaw {
@@ -59,9 +67,5 @@ double greater(double a, double b);
 
 /// Of pairs (cost, error): those that no other one beats in both, from the cheapest on.
 std::vector<std::size_t> pareto_front(const std::vector<double>& costs, const std::vector<double>& errors);
-
-/// The same as `cost_until`, and in the first of the runs `watch` sees each step, while the clock stands.
-Cost watched_cost(const std::string& text, double until, int times,
-                  const std::function<void(Simulation&)>& watch);
 
 }  // namespace clapotis::studies

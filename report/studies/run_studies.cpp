@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include "common/runner/atomic_file.hpp"
 #include "common/runner/command_line.hpp"
@@ -162,13 +161,7 @@ Options read_options(std::span<const Study> studies, int argc, const char* const
   } catch (const CLI::ParseError& error) {
     throw BadInput(error.what());
   }
-  for (const auto& word : app.remaining()) {
-    auto known = with_value;
-    known.insert(known.end(), without_value.begin(), without_value.end());
-    const auto near = nearest(word, known);
-    throw BadInput(say(w.unknown_option, fmt::arg("option", word),
-                       fmt::arg("hint", near.empty() ? "" : say(w.did_you_mean, fmt::arg("name", near)))));
-  }
+  refuse_unknown(app, with_value, without_value);
   for (const auto& name : options.names)
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw BadInput(unknown_name("study", name, names));

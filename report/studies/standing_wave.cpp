@@ -106,12 +106,6 @@ Conclusion conclude(const Table& table) {
   findings.push_back({"frequency_error", rounded(100 * worst_frequency, 2), "%",
                       "largest error of a viscous wave's frequency, finest spacing"});
   findings.push_back({"decay_error", rounded(100 * worst_decay, 2), "%", "and of its decay"});
-  for (const char* reynolds : {"100", "50"}) {
-    const auto runs = table.where({{"part", "run"}, {"Re", reynolds}});
-    const auto order = power_law(table.numbers(runs, "H_over_dx"), table.numbers(runs, "frequency_error"));
-    findings.push_back({std::string("order_") + reynolds, rounded(-order.exponent, 2), "",
-                        std::string("order in dx of the frequency with Re = ") + reynolds});
-  }
   return {.findings = findings, .tables = {result}};
 }
 

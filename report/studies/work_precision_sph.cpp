@@ -63,7 +63,7 @@ std::vector<Row> measure_drop(const std::string& text, int times) {
   const auto stretch = start->setup().measures.front().value;  // by the outermost particle, as PySPH has it
   const EllipticalDrop exact{.radius = 1, .strain_rate = 1, .density = 1000};
   Errors e{.b_largest = 0, .energy_largest = 0};
-  const auto cost = watched_cost(text, drop_ends, times, [&](Simulation& run) {
+  const auto cost = cost_until(text, drop_ends, times, [&](Simulation& run) {
     e.b = stretch(run.system()) / exact.at(run.time()).semi_axis_y - 1;
     e.energy = run.energy().kinetic / kinetic - 1;
     e.b_largest = std::max(e.b_largest, std::abs(e.b));
@@ -75,7 +75,7 @@ std::vector<Row> measure_drop(const std::string& text, int times) {
 std::vector<Row> measure_water(const std::string& text, int times) {
   const double wave_speed = std::sqrt(9.81 * 1);  // of shallow water 1 m deep [m/s]
   Errors e{.pressure_rms = 0, .pressure_largest = 0, .speed_largest = 0};
-  const auto cost = watched_cost(text, 2, times, [&](Simulation& run) {
+  const auto cost = cost_until(text, 2, times, [&](Simulation& run) {
     const double error = run.error();
     e.pressure_rms += error * error;
     e.pressure_largest = std::max(e.pressure_largest, error);
